@@ -11,10 +11,9 @@ set(rtw_vtk_optional_components glew glad opengl)
 set(rtw_vtk_test_components)
 if (BUILD_TESTING OR RTW_BUILD_EXAMPLES)
   set(rtw_vtk_test_components
-    CommonSystem FiltersGeneral FiltersGeometry FiltersModeling FiltersSources IOCore IOImage
-    ImagingCore InteractionStyle RenderingAnnotation RenderingFreeType RenderingVolume
-    RenderingVolumeOpenGL2 RenderingUI TestingCore TestingRendering
-    IOGeometry IOPLY IOXML jsoncpp vtksys)
+    CommonSystem FiltersGeneral FiltersGeometry FiltersModeling FiltersSources IOCore IOGeometry
+    IOImage IOPLY IOXML ImagingCore InteractionStyle RenderingAnnotation RenderingFreeType
+    RenderingUI RenderingVolume RenderingVolumeOpenGL2 jsoncpp vtksys)
 endif ()
 
 set(_rtw_python_components)
