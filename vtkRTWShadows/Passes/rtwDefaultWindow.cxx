@@ -64,6 +64,9 @@ bool IsRegistered(vtkObjectFactory* factory)
 
 bool HasDisplay()
 {
+#if defined(_WIN32) || defined(__APPLE__)
+  return true; // their native windows draw off screen without one
+#else
   for (const char* name : { "DISPLAY", "WAYLAND_DISPLAY" })
   {
     const char* value = std::getenv(name);
@@ -73,6 +76,7 @@ bool HasDisplay()
     }
   }
   return false;
+#endif
 }
 
 // VTK takes the first factory that has an enabled override, so those before ours must be off.
@@ -102,7 +106,7 @@ bool vtkRTWEGLRenderWindow::InstallAsDefault(bool onlyWithoutDisplay)
   {
     return true;
   }
-  if (onlyWithoutDisplay && HasDisplay())
+  if (!RTW_HAVE_EGL || (onlyWithoutDisplay && HasDisplay()))
   {
     return false;
   }

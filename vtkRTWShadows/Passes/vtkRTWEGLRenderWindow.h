@@ -95,7 +95,8 @@ public:
    * Make vtkRenderWindow::New(), and vtkRenderWindow() in Python, return this class, and
    * vtkRenderWindowInteractor::New() an interactor whose Start() returns at once, since there is
    * nobody to interact. With `onlyWithoutDisplay`, nothing is done where the environment variable
-   * DISPLAY or WAYLAND_DISPLAY names a display. Returns whether this class is the default
+   * DISPLAY or WAYLAND_DISPLAY names a display, nor on Windows and macOS. Nothing is ever done in a
+   * build without EGL. Returns whether this class is the default
    * afterwards. Calling it again changes nothing. UninstallAsDefault() undoes it; windows made
    * meanwhile stay what they are.
    */

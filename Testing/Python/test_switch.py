@@ -1,0 +1,164 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""enable_shadows and disable_shadows, on a ball above a floor."""
+
+import gc
+import os
+import sys
+import unittest
+
+os.environ.pop("DISPLAY", None)
+os.environ.pop("WAYLAND_DISPLAY", None)
+
+import rtwshadows  # noqa: E402
+from vtkmodules.util.numpy_support import vtk_to_numpy  # noqa: E402
+from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource  # noqa: E402
+from vtkmodules.vtkRenderingCore import (  # noqa: E402
+    vtkActor,
+    vtkLight,
+    vtkPolyDataMapper,
+    vtkRenderer,
+    vtkRenderWindow,
+    vtkWindowToImageFilter,
+)
+from vtkmodules.vtkRenderingOpenGL2 import vtkRenderStepsPass, vtkSSAOPass  # noqa: E402
+
+
+def add(renderer, source):
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputConnection(source.GetOutputPort())
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    renderer.AddActor(actor)
+
+
+class Plotter:
+    """As PyVista's and vedo's: a renderer, and more."""
+
+    def __init__(self):
+        self.renderer = vtkRenderer()
+        floor = vtkPlaneSource()
+        floor.SetOrigin(-3, -3, 0)
+        floor.SetPoint1(3, -3, 0)
+        floor.SetPoint2(-3, 3, 0)
+        add(self.renderer, floor)
+        ball = vtkSphereSource()
+        ball.SetCenter(0, 0, 1)
+        ball.SetThetaResolution(40)
+        ball.SetPhiResolution(40)
+        add(self.renderer, ball)
+        light = vtkLight()
+        light.SetPosition(3, 0, 3)
+        light.SetFocalPoint(0, 0, 0)
+        self.renderer.AutomaticLightCreationOff()
+        self.renderer.AddLight(light)
+        self.window = vtkRenderWindow()
+        self.window.SetSize(160, 120)
+        self.window.SetMultiSamples(0)
+        self.window.AddRenderer(self.renderer)
+        camera = self.renderer.GetActiveCamera()
+        camera.SetPosition(0, -8, 8)
+        camera.SetFocalPoint(0, 0, 0)
+        camera.SetViewUp(0, 0, 1)
+        self.renderer.ResetCameraClippingRange()
+
+    def picture(self):
+        self.window.Render()
+        grab = vtkWindowToImageFilter()
+        grab.SetInput(self.window)
+        grab.ReadFrontBufferOff()
+        grab.ShouldRerenderOff()
+        grab.Update()
+        return vtk_to_numpy(grab.GetOutput().GetPointData().GetScalars()).astype(int)
+
+
+class TestSwitch(unittest.TestCase):
+    def test_every_technique_casts_a_shadow(self):
+        self.assertIn("rtw", rtwshadows.available_techniques())
+        plotter = Plotter()
+        without = plotter.picture()
+        for technique in rtwshadows.available_techniques():
+            shadows = rtwshadows.enable_shadows(plotter, technique)
+            self.assertEqual(shadows.GetResolution(), 1024)
+            darker = (without - plotter.picture()).max(axis=1) > 60
+            self.assertTrue(0.005 < darker.mean() < 0.2, f"{technique}: {darker.mean()}")
+            rtwshadows.disable_shadows(plotter)
+            self.assertTrue((plotter.picture() == without).all(), technique)
+
+    def test_restores_the_pass_there_was(self):
+        plotter = Plotter()
+        for before in (None, vtkRenderStepsPass()):
+            plotter.renderer.SetPass(before)
+            without = plotter.picture()
+            rtwshadows.enable_shadows(plotter.renderer)
+            self.assertIsInstance(
+                plotter.renderer.GetPass(), rtwshadows.vtkShadowRenderStepsPass)
+            plotter.picture()
+            rtwshadows.enable_shadows(plotter.renderer, "uniform")
+            plotter.picture()
+            gc.collect()
+            rtwshadows.disable_shadows(plotter.renderer)
+            self.assertIs(plotter.renderer.GetPass(), before)
+            rtwshadows.disable_shadows(plotter.renderer)
+            self.assertIs(plotter.renderer.GetPass(), before)
+            self.assertTrue((plotter.picture() == without).all())
+
+    def test_leaves_a_pass_set_since(self):
+        plotter = Plotter()
+        rtwshadows.enable_shadows(plotter)
+        mine = vtkSSAOPass()
+        plotter.renderer.SetPass(mine)
+        rtwshadows.disable_shadows(plotter)
+        self.assertIs(plotter.renderer.GetPass(), mine)
+        plotter.renderer.SetPass(None)
+
+    def test_replaces(self):
+        plotter = Plotter()
+        first = rtwshadows.enable_shadows(plotter, resolution=256)
+        plotter.picture()
+        second = rtwshadows.enable_shadows(plotter, "uniform", 512, focus_on_view=False)
+        plotter.picture()
+        self.assertIsNot(first, second)
+        self.assertIs(plotter.renderer.GetPass().GetShadowMapPass(), second)
+        self.assertEqual(second.GetResolution(), 512)
+        self.assertFalse(second.GetFocusOnView())
+
+    def test_words_for_enumerators(self):
+        plotter = Plotter()
+        for word in ("nearest", "bilinear", "PCF"):
+            shadows = rtwshadows.enable_shadows(plotter, filter=word)
+            self.assertEqual(shadows.GetFilter(), getattr(shadows, word.upper()))
+
+    def test_errors_change_nothing(self):
+        plotter = Plotter()
+        rtwshadows.enable_shadows(plotter)
+        before = plotter.renderer.GetPass()
+        with self.assertRaisesRegex(ValueError, "'fuzzy' is not known; available: .*'rtw'"):
+            rtwshadows.enable_shadows(plotter, "fuzzy")
+        with self.assertRaisesRegex(TypeError, "no property 'resolutoin'.*focus_on_view"):
+            rtwshadows.enable_shadows(plotter, resolutoin=3)
+        with self.assertRaisesRegex(ValueError, "filter='blur'"):
+            rtwshadows.enable_shadows(plotter, filter="blur")
+        with self.assertRaisesRegex(TypeError, "vtkRenderer.*not Mock"):
+            rtwshadows.enable_shadows(type("Mock", (), {})())
+        with self.assertRaises(TypeError):
+            rtwshadows.disable_shadows(None)
+        self.assertIs(plotter.renderer.GetPass(), before)
+
+    def test_planned_technique(self):
+        missing = {"notw", "perspective", "exact"} - set(rtwshadows.available_techniques())
+        for technique in missing:
+            with self.assertRaisesRegex(ValueError, "not in this build; available: .*'uniform'"):
+                rtwshadows.enable_shadows(Plotter(), technique)
+
+    def test_before_the_first_render_and_after_finalize(self):
+        plotter = Plotter()
+        rtwshadows.enable_shadows(plotter)
+        rtwshadows.disable_shadows(plotter)
+        rtwshadows.enable_shadows(plotter)
+        first = plotter.picture()
+        plotter.window.Finalize()
+        self.assertLess(abs(plotter.picture() - first).max(), 3)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv)
