@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rtwCollect.h"
+
+#include <vtkCompositeDataDisplayAttributes.h>
+#include <vtkDataObjectTree.h>
+#include <vtkDataObjectTreeIterator.h>
+#include <vtkDataSetMapper.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkSmartPointer.h>
+#include <vtkVersionMacros.h>
+
+// The class that knows which blocks are visible.
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+#include <vtkCompositePolyDataMapper.h>
+using CompositeMapper = vtkCompositePolyDataMapper;
+#else
+#include <vtkCompositePolyDataMapper2.h>
+using CompositeMapper = vtkCompositePolyDataMapper2;
+#endif
+
+namespace rtw
+{
+namespace
+{
+// A block is visible as its nearest ancestor that says so.
+void AddVisible(vtkDataObject* data, vtkCompositeDataDisplayAttributes* attributes, bool visible,
+  std::vector<vtkPolyData*>& surfaces)
+{
+  if (attributes && attributes->HasBlockVisibility(data))
+  {
+    visible = attributes->GetBlockVisibility(data);
+  }
+  if (auto* tree = vtkDataObjectTree::SafeDownCast(data))
+  {
+    const auto each = vtkSmartPointer<vtkDataObjectTreeIterator>::Take(tree->NewTreeIterator());
+    each->TraverseSubTreeOff();
+    each->VisitOnlyLeavesOff();
+    for (each->InitTraversal(); !each->IsDoneWithTraversal(); each->GoToNextItem())
+    {
+      AddVisible(each->GetCurrentDataObject(), attributes, visible, surfaces);
+    }
+  }
+  auto* surface = vtkPolyData::SafeDownCast(data);
+  if (surface && visible && surface->GetPoints())
+  {
+    surfaces.push_back(surface);
+  }
+}
+}
+
+std::vector<vtkPolyData*> Surfaces(vtkMapper* mapper)
+{
+  vtkDataObject* data = mapper->GetInputDataObject(0, 0);
+  auto* others = vtkDataSetMapper::SafeDownCast(mapper);
+  if (others && others->GetPolyDataMapper())
+  {
+    data = others->GetPolyDataMapper()->GetInputDataObject(0, 0);
+  }
+  auto* composite = CompositeMapper::SafeDownCast(mapper);
+  std::vector<vtkPolyData*> surfaces;
+  if (data)
+  {
+    AddVisible(
+      data, composite ? composite->GetCompositeDataDisplayAttributes() : nullptr, true, surfaces);
+  }
+  return surfaces;
+}
+}

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef rtwReference_h
+#define rtwReference_h
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+class vtkLight;
+class vtkProp;
+class vtkRenderer;
+
+namespace rtw
+{
+/// The values of a mask.
+enum MaskValue : unsigned char
+{
+  MASK_SHADOW = 0,
+  MASK_BACKGROUND = 64, // nothing is seen
+  MASK_AVERTED = 128,   // faces away from the light, is out of its cone, or receives no shadows
+  MASK_LIT = 255
+};
+
+/// The exact picture of one light's shadows. Rows are in VTK's order: the lowest comes first.
+struct Truth
+{
+  int Width = 0;
+  int Height = 0;
+  std::vector<unsigned char> Mask; // MaskValue
+  std::vector<double> Depth;       // as in a depth buffer: 0 on the near plane, 1 behind it all
+};
+
+struct ReferenceOptions
+{
+  /// Whether a prop throws shadows; all do if empty. It is asked for a renderer's view props, and
+  /// for each actor in an assembly as well.
+  std::function<bool(vtkProp*)> Casts;
+  /// Whether shadows fall on it; on all if empty.
+  std::function<bool(vtkProp*)> Receives;
+  /// Told the share that is done, now and then, on the thread that called Trace().
+  std::function<void(double)> Progress;
+  /// 0 for as many as the machine has.
+  unsigned Threads = 0;
+};
+
+/// Shadows by exact rays, one a pixel, to compare others with.
+///
+/// A pixel is what a ray through its centre hits first. It faces the light if N·L > 0.001, with the
+/// geometric normal turned to the viewer, and, under a spot light, if it is within 0.97 of the
+/// tangent of the cone's angle. It is in shadow if anything but the primitive itself lies between
+/// it and the light.
+class ShadowReference
+{
+public:
+  /// Takes a copy of everything visible in the renderer: triangles of surfaces, composite data,
+  /// assemblies and glyphs, and the true spheres and cylinders of sphere and stick mappers. Of
+  /// translucent props only the shadow is seen. Left out: lines, points and volumes.
+  explicit ShadowReference(vtkRenderer* renderer, const ReferenceOptions& options = {});
+  ~ShadowReference();
+  ShadowReference(ShadowReference&&) noexcept;
+
+  /// Through the renderer's present camera, for a directional, a spot or a point light.
+  Truth Trace(vtkLight* light, int width, int height) const;
+
+  size_t NumberOfPrimitives() const;
+
+private:
+  struct Internals;
+  std::unique_ptr<Internals> Inside;
+};
+}
+
+#endif
