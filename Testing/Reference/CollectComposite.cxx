@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rtwCollect.h"
+#include "rtwCompositeMapper.h"
 
 #include <vtkCompositeDataDisplayAttributes.h>
 #include <vtkDataObjectTree.h>
@@ -8,16 +9,6 @@
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkSmartPointer.h>
-#include <vtkVersionMacros.h>
-
-// The class that knows which blocks are visible.
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
-#include <vtkCompositePolyDataMapper.h>
-using CompositeMapper = vtkCompositePolyDataMapper;
-#else
-#include <vtkCompositePolyDataMapper2.h>
-using CompositeMapper = vtkCompositePolyDataMapper2;
-#endif
 
 namespace rtw
 {

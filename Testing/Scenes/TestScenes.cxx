@@ -22,6 +22,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <ostream>
 #include <stdexcept>
 
 namespace
@@ -34,6 +35,11 @@ struct Known
   glm::dvec3 Sums;
   double Area;
 };
+
+void PrintTo(const Known& known, std::ostream* out)
+{
+  *out << known.Name;
+}
 
 const Known KNOWN[] = {
   { "town", 937457, 505832, { 46731121.829865, 4832782.809959, 133054110.114863 }, 506200.055063 },
