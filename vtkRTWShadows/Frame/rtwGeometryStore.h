@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// All meshes of a scene in a few GPU buffers, so that one indirect draw call draws them all.
+#ifndef rtwGeometryStore_h
+#define rtwGeometryStore_h
+
+#include "rtwBuffer.h"
+#include "rtwDrawing.h"
+#include "rtwMeshData.h"
+#include "rtwRangeAllocator.h"
+#include "rtwFrameScene.h"
+
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+namespace rtw
+{
+/// A mesh at a place.
+struct Instance
+{
+  glm::dmat4 ToWorld; ///< from the floats in the buffer
+  bool Casts;
+  bool Receives;
+};
+
+/// A cluster at a place, as the culling shaders read it.
+struct ClusterDraw
+{
+  static constexpr std::uint32_t CastsBit = 1;
+  static constexpr std::uint32_t ReceivesBit = 2;
+
+  std::uint32_t Cluster;
+  std::uint32_t Instance;
+  std::uint32_t Flags;
+  std::uint32_t Unused;
+};
+
+/// Lines or vertices of a mesh at a place; they are too few to cull.
+struct ThinDraw
+{
+  Primitive Kind;
+  DrawCommand Command; ///< BaseInstance is the instance
+};
+
+class GeometryStore
+{
+public:
+  /// Uploads what is new or changed, drops what has left, and lists what there is to draw.
+  void Update(const std::vector<ScenePart>& parts);
+
+  const std::vector<Instance>& GetInstances() const { return this->Instances; }
+  const std::vector<ThinDraw>& GetThinDraws() const { return this->ThinDraws; }
+  int GetNumberOfDraws() const { return this->NumberOfDraws; }
+  std::size_t GetNumberOfTriangles() const { return this->NumberOfTriangles; }
+  const Buffer& GetPoints() const { return this->Points; }
+  const Buffer& GetIndices() const { return this->Indices; }
+  const Buffer& GetClusters() const { return this->Clusters; }
+  const Buffer& GetDraws() const { return this->Draws; }
+  std::size_t GetMemory() const;
+  void Release();
+  void Abandon();
+
+private:
+  struct Mesh
+  {
+    std::uint64_t Time = 0;
+    glm::dvec3 Centre{ 0 };
+    std::size_t FirstPoint = 0, Points = 0;
+    std::size_t FirstIndex = 0, Indices = 0;
+    std::size_t FirstCluster = 0, Clusters = 0;
+    std::uint32_t TriangleIndices = 0, LineIndices = 0, VertexIndices = 0;
+    bool Used = false;
+  };
+
+  void Upload(Mesh& mesh, const MeshData& data);
+  void Free(const Mesh& mesh);
+  void DropUnused();
+  void AddThinDraws(const Mesh& mesh, std::uint32_t instance);
+
+  Buffer Points, Indices, Clusters, Draws;
+  RangeAllocator PointRanges, IndexRanges, ClusterRanges;
+  std::unordered_map<vtkPolyData*, Mesh> Meshes;
+  std::vector<Instance> Instances;
+  std::vector<ThinDraw> ThinDraws;
+  std::vector<ClusterDraw> Listed;
+  int NumberOfDraws = 0;
+  std::size_t NumberOfTriangles = 0;
+};
+}
+
+#endif

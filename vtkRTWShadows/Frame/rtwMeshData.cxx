@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rtwMeshData.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolygon.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace rtw
+{
+namespace
+{
+using Triangle = std::array<std::uint32_t, 3>;
+
+struct Sortable
+{
+  std::uint64_t Key;
+  std::uint32_t Triangle;
+  float Extent;
+};
+
+// Octaves of size that share a group of clusters: a ground plane must not stretch the bounds of the leaves over it.
+constexpr int OctavesPerGroup = 3;
+
+std::uint64_t SpreadBits(std::uint64_t x)
+{
+  x &= 0x1fffff;
+  x = (x | x << 32) & 0x1f00000000ffffull;
+  x = (x | x << 16) & 0x1f0000ff0000ffull;
+  x = (x | x << 8) & 0x100f00f00f00f00full;
+  x = (x | x << 4) & 0x10c30c30c30c30c3ull;
+  return (x | x << 2) & 0x1249249249249249ull;
+}
+
+std::uint64_t MortonCode(const glm::vec3& unit)
+{
+  // 19 bits an axis leave room for the size group above them.
+  const glm::vec3 scaled = glm::clamp(unit, glm::vec3(0), glm::vec3(1)) * 524287.f;
+  return SpreadBits(std::uint64_t(scaled.x)) | SpreadBits(std::uint64_t(scaled.y)) << 1 |
+    SpreadBits(std::uint64_t(scaled.z)) << 2;
+}
+
+bool IsFinite(const glm::vec3& p)
+{
+  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
+struct Builder
+{
+  vtkPolyData* Data;
+  MeshData Mesh;
+  std::vector<glm::vec3> Points; ///< in the order of the input
+  std::vector<Triangle> Triangles;
+  std::vector<std::uint32_t> Lines;
+  std::vector<std::uint32_t> Vertices;
+  vtkNew<vtkPolygon> Polygon;
+  vtkNew<vtkIdList> Corners;
+
+  explicit Builder(vtkPolyData* data)
+    : Data(data)
+  {
+  }
+
+  void ReadPoints()
+  {
+    vtkPoints* points = this->Data->GetPoints();
+    double bounds[6];
+    this->Data->GetBounds(bounds);
+    this->Mesh.Centre = 0.5 *
+      glm::dvec3(bounds[0] + bounds[1], bounds[2] + bounds[3], bounds[4] + bounds[5]);
+    if (!IsFinite(glm::vec3(this->Mesh.Centre)))
+    {
+      this->Mesh.Centre = glm::dvec3(0);
+    }
+    this->Points.resize(points->GetNumberOfPoints());
+    for (std::size_t i = 0; i < this->Points.size(); ++i)
+    {
+      double p[3];
+      points->GetPoint(static_cast<vtkIdType>(i), p);
+      this->Points[i] = glm::vec3(glm::dvec3(p[0], p[1], p[2]) - this->Mesh.Centre);
+    }
+  }
+
+  bool Exists(vtkIdType id) const
+  {
+    return id >= 0 && id < static_cast<vtkIdType>(this->Points.size()) &&
+      IsFinite(this->Points[id]);
+  }
+
+  void AddTriangle(vtkIdType a, vtkIdType b, vtkIdType c)
+  {
+    if (this->Exists(a) && this->Exists(b) && this->Exists(c) && a != b && b != c && c != a)
+    {
+      this->Triangles.push_back({ std::uint32_t(a), std::uint32_t(b), std::uint32_t(c) });
+    }
+  }
+
+  template <class Visit>
+  static void ForEachCell(vtkCellArray* cells, Visit visit)
+  {
+    if (!cells)
+    {
+      return;
+    }
+    auto cell = vtk::TakeSmartPointer(cells->NewIterator());
+    for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell())
+    {
+      vtkIdType count;
+      const vtkIdType* ids;
+      cell->GetCurrentCell(count, ids);
+      visit(count, ids);
+    }
+  }
+
+  void AddFan(vtkIdType count, const vtkIdType* ids)
+  {
+    for (vtkIdType k = 2; k < count; ++k)
+    {
+      this->AddTriangle(ids[0], ids[k - 1], ids[k]);
+    }
+  }
+
+  // A polygon with more than four points may be concave, so it takes VTK's own triangulation, as in VTK's mappers.
+  void AddPolygon(vtkIdType count, const vtkIdType* ids)
+  {
+    if (count <= 4)
+    {
+      this->AddFan(count, ids);
+      return;
+    }
+    this->Polygon->Initialize(static_cast<int>(count), ids, this->Data->GetPoints());
+    if (!this->Polygon->Triangulate(this->Corners))
+    {
+      this->AddFan(count, ids);
+      return;
+    }
+    for (vtkIdType k = 0; k + 2 < this->Corners->GetNumberOfIds(); k += 3)
+    {
+      this->AddTriangle(ids[this->Corners->GetId(k)], ids[this->Corners->GetId(k + 1)],
+        ids[this->Corners->GetId(k + 2)]);
+    }
+  }
+
+  void ReadCells()
+  {
+    ForEachCell(this->Data->GetPolys(),
+      [this](vtkIdType count, const vtkIdType* ids) { this->AddPolygon(count, ids); });
+    ForEachCell(this->Data->GetStrips(), [this](vtkIdType count, const vtkIdType* ids) {
+      for (vtkIdType k = 2; k < count; ++k)
+      {
+        this->AddTriangle(ids[k - 2], ids[k - 1], ids[k]);
+      }
+    });
+    ForEachCell(this->Data->GetLines(), [this](vtkIdType count, const vtkIdType* ids) {
+      for (vtkIdType k = 1; k < count; ++k)
+      {
+        if (this->Exists(ids[k - 1]) && this->Exists(ids[k]))
+        {
+          this->Lines.push_back(std::uint32_t(ids[k - 1]));
+          this->Lines.push_back(std::uint32_t(ids[k]));
+        }
+      }
+    });
+    ForEachCell(this->Data->GetVerts(), [this](vtkIdType count, const vtkIdType* ids) {
+      for (vtkIdType k = 0; k < count; ++k)
+      {
+        if (this->Exists(ids[k]))
+        {
+          this->Vertices.push_back(std::uint32_t(ids[k]));
+        }
+      }
+    });
+  }
+
+  std::vector<Sortable> SortTriangles() const
+  {
+    glm::vec3 low(std::numeric_limits<float>::max()), high(-low);
+    for (const Triangle& t : this->Triangles)
+    {
+      for (const std::uint32_t id : t)
+      {
+        low = glm::min(low, this->Points[id]);
+        high = glm::max(high, this->Points[id]);
+      }
+    }
+    const glm::vec3 size = high - low;
+    const float side = std::max({ size.x, size.y, size.z, std::numeric_limits<float>::min() });
+    std::vector<Sortable> order(this->Triangles.size());
+    for (std::size_t i = 0; i < order.size(); ++i)
+    {
+      const Triangle& t = this->Triangles[i];
+      const glm::vec3 &a = this->Points[t[0]], &b = this->Points[t[1]], &c = this->Points[t[2]];
+      const glm::vec3 extents = glm::max(a, glm::max(b, c)) - glm::min(a, glm::min(b, c));
+      const float extent = std::max({ extents.x, extents.y, extents.z });
+      const int octave = std::clamp(-std::ilogb(std::max(extent / side, 1e-9f)), 0, 30);
+      const std::uint64_t group = octave / OctavesPerGroup;
+      const std::uint64_t code = MortonCode(((a + b + c) / 3.f - low) / side);
+      order[i] = { group << 57 | code, static_cast<std::uint32_t>(i), extent };
+    }
+    std::sort(order.begin(), order.end(), [](const Sortable& a, const Sortable& b) {
+      return a.Key != b.Key ? a.Key < b.Key : a.Triangle < b.Triangle;
+    });
+    return order;
+  }
+
+  void AddCluster(Sortable* begin, Sortable* end)
+  {
+    MeshCluster cluster;
+    cluster.FirstIndex = static_cast<std::uint32_t>(this->Mesh.Indices.size());
+    for (const Sortable* s = begin; s != end; ++s)
+    {
+      cluster.LargestExtent = std::max(cluster.LargestExtent, s->Extent);
+    }
+    const auto sizeClass = [&](const Sortable& s) {
+      const float ratio = s.Extent > 0 ? cluster.LargestExtent / s.Extent : 1e9f;
+      return std::clamp(static_cast<int>(std::log2(ratio)), 0, MeshCluster::SizeClasses - 1);
+    };
+    // In the order of the input within a class: neighbours there tend to share points.
+    std::sort(begin, end, [&](const Sortable& a, const Sortable& b) {
+      const int x = sizeClass(a), y = sizeClass(b);
+      return x != y ? x < y : a.Triangle < b.Triangle;
+    });
+    cluster.Low = glm::vec3(std::numeric_limits<float>::max());
+    cluster.High = -cluster.Low;
+    for (const Sortable* s = begin; s != end; ++s)
+    {
+      for (const std::uint32_t id : this->Triangles[s->Triangle])
+      {
+        cluster.Low = glm::min(cluster.Low, this->Points[id]);
+        cluster.High = glm::max(cluster.High, this->Points[id]);
+        this->Mesh.Indices.push_back(id);
+      }
+      for (int k = sizeClass(*s); k < MeshCluster::SizeClasses; ++k)
+      {
+        cluster.ClassEnd[k] += 3;
+      }
+    }
+    this->Mesh.Clusters.push_back(cluster);
+  }
+
+  void AddClusters()
+  {
+    std::vector<Sortable> order = this->SortTriangles();
+    for (std::size_t begin = 0; begin < order.size();)
+    {
+      std::size_t end = begin + 1;
+      while (end < order.size() && end - begin < MeshCluster::MaximumTriangles &&
+        order[end].Key >> 57 == order[begin].Key >> 57)
+      {
+        ++end;
+      }
+      this->AddCluster(&order[begin], &order[begin] + (end - begin));
+      begin = end;
+    }
+  }
+
+  // Points in the order of their first use, and none that no cell uses.
+  void CompactPoints()
+  {
+    constexpr std::uint32_t unused = ~0u;
+    std::vector<std::uint32_t> place(this->Points.size(), unused);
+    for (std::uint32_t& id : this->Mesh.Indices)
+    {
+      if (place[id] == unused)
+      {
+        place[id] = static_cast<std::uint32_t>(this->Mesh.Points.size());
+        this->Mesh.Points.push_back(this->Points[id]);
+      }
+      id = place[id];
+    }
+  }
+};
+}
+
+MeshData BuildMeshData(vtkPolyData* data)
+{
+  if (!data || !data->GetPoints() || data->GetNumberOfCells() == 0)
+  {
+    return {};
+  }
+  Builder builder(data);
+  builder.ReadPoints();
+  builder.ReadCells();
+  builder.AddClusters();
+  MeshData& mesh = builder.Mesh;
+  mesh.LineIndices = static_cast<std::uint32_t>(builder.Lines.size());
+  mesh.VertexIndices = static_cast<std::uint32_t>(builder.Vertices.size());
+  mesh.Indices.insert(mesh.Indices.end(), builder.Lines.begin(), builder.Lines.end());
+  mesh.Indices.insert(mesh.Indices.end(), builder.Vertices.begin(), builder.Vertices.end());
+  builder.CompactPoints();
+  return std::move(builder.Mesh);
+}
+}

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rtwSceneActor.h"
+
+#include "rtwVTKCompatibility.h"
+
+#include "vtkActor.h"
+#include "vtkCellArray.h"
+#include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeIterator.h"
+#include "vtkDataSetMapper.h"
+#include "vtkImageData.h"
+#include "vtkMapper.h"
+#include "vtkPlaneCollection.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkShaderProperty.h"
+#include "vtkTexture.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace rtw
+{
+namespace
+{
+// Of a vtkDataSetMapper the mapper that draws its surface, which exists from its first frame on.
+vtkMapper* DrawingMapper(vtkActor* actor)
+{
+  vtkMapper* mapper = actor->GetMapper();
+  auto* surface = mapper && std::strcmp(mapper->GetClassName(), "vtkDataSetMapper") == 0
+    ? vtkDataSetMapper::SafeDownCast(mapper)->GetPolyDataMapper()
+    : nullptr;
+  return surface ? surface : mapper;
+}
+
+bool CutsOut(vtkTexture* texture)
+{
+  if (!texture || !texture->GetInput())
+  {
+    return false;
+  }
+  const int components = texture->GetInput()->GetNumberOfScalarComponents();
+  return components == 2 || components == 4;
+}
+
+bool HasCutOuts(vtkActor* actor)
+{
+  const auto& textures = actor->GetProperty()->GetAllTextures();
+  return CutsOut(actor->GetTexture()) ||
+    std::any_of(textures.begin(), textures.end(),
+      [](const auto& texture) { return texture.first == "albedoTex" && CutsOut(texture.second); });
+}
+
+bool HasUserShaders(vtkActor* actor)
+{
+  vtkShaderProperty* shaders = actor->GetShaderProperty();
+  return shaders->GetNumberOfShaderReplacements() > 0 || shaders->HasVertexShaderCode() ||
+    shaders->HasFragmentShaderCode() || shaders->HasGeometryShaderCode();
+}
+
+bool HasTranslucentScalars(vtkActor* actor, vtkMapper* mapper)
+{
+  return mapper->GetScalarVisibility() && actor->GetProperty()->GetOpacity() >= 1 &&
+    actor->HasTranslucentPolygonalGeometry();
+}
+
+// Tubes and spheres are made by fragment shaders around lines and vertices.
+bool HasRoundPrimitives(vtkActor* actor, const std::vector<vtkPolyData*>& meshes)
+{
+  const bool tubes = actor->GetProperty()->GetRenderLinesAsTubes();
+  const bool spheres = actor->GetProperty()->GetRenderPointsAsSpheres();
+  return std::any_of(meshes.begin(), meshes.end(), [&](vtkPolyData* mesh) {
+    return (tubes && mesh->GetNumberOfLines() > 0) || (spheres && mesh->GetNumberOfVerts() > 0);
+  });
+}
+
+void CollectBlocks(vtkDataObject* block, bool visible,
+  const vtkCompositeDataDisplayAttributes* attributes, std::vector<vtkPolyData*>& meshes)
+{
+  if (attributes && attributes->HasBlockVisibility(block))
+  {
+    visible = attributes->GetBlockVisibility(block);
+  }
+  if (auto* tree = vtkDataObjectTree::SafeDownCast(block))
+  {
+    vtkSmartPointer<vtkDataObjectTreeIterator> it =
+      vtk::TakeSmartPointer(tree->NewTreeIterator());
+    it->TraverseSubTreeOff();
+    it->VisitOnlyLeavesOff();
+    for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+    {
+      CollectBlocks(it->GetCurrentDataObject(), visible, attributes, meshes);
+    }
+  }
+  else if (auto* mesh = vtkPolyData::SafeDownCast(block))
+  {
+    if (visible && mesh->GetNumberOfCells() > 0)
+    {
+      meshes.push_back(mesh);
+    }
+  }
+}
+}
+
+std::vector<vtkPolyData*> MeshesOf(vtkActor* actor)
+{
+  vtkMapper* mapper = DrawingMapper(actor);
+  if (mapper->GetNumberOfInputConnections(0) == 0)
+  {
+    return {};
+  }
+  if (!mapper->GetStatic())
+  {
+    mapper->Update();
+  }
+  std::vector<vtkPolyData*> meshes;
+  vtkCompositeDataDisplayAttributes* attributes =
+    IsCompositeMeshMapper(mapper) ? CompositeAttributesOf(mapper) : nullptr;
+  if (vtkDataObject* input = mapper->GetInputDataObject(0, 0))
+  {
+    CollectBlocks(input, true, attributes, meshes);
+  }
+  return meshes;
+}
+
+bool IsPlainMeshActor(vtkActor* actor)
+{
+  vtkMapper* mapper = DrawingMapper(actor);
+  if (!mapper || !(IsMeshMapper(mapper) || IsCompositeMeshMapper(mapper)) ||
+    actor->IsA("vtkLODActor") || actor->IsA("vtkQuadricLODActor"))
+  {
+    return false;
+  }
+  vtkPlaneCollection* planes = mapper->GetClippingPlanes();
+  if (actor->GetProperty()->GetRepresentation() != VTK_SURFACE ||
+    (planes && planes->GetNumberOfItems() > 0) || HasUserShaders(actor) || HasCutOuts(actor))
+  {
+    return false;
+  }
+  return !HasRoundPrimitives(actor, MeshesOf(actor)) && !HasTranslucentScalars(actor, mapper);
+}
+
+vtkMTimeType MeshTime(vtkPolyData* mesh)
+{
+  vtkMTimeType time = mesh->GetPoints() ? mesh->GetPoints()->GetMTime() : 0;
+  for (vtkCellArray* cells :
+    { mesh->GetPolys(), mesh->GetStrips(), mesh->GetLines(), mesh->GetVerts() })
+  {
+    time = std::max(time, cells ? cells->GetMTime() : 0);
+  }
+  return std::max(time, mesh->vtkDataObject::GetMTime());
+}
+}

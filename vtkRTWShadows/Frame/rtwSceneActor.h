@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which actors are plain meshes, and which meshes those are.
+#ifndef rtwSceneActor_h
+#define rtwSceneActor_h
+
+#include "vtkType.h"
+
+#include <vector>
+
+class vtkActor;
+class vtkPolyData;
+
+namespace rtw
+{
+/// Whether drawing the triangles, lines and vertices of its meshes, opaque, gives the same silhouette and depth as its own
+/// mapper does. Imposters, glyphs, cut-out textures, clipping planes, wireframes and shaders with user code don't.
+bool IsPlainMeshActor(vtkActor* actor);
+/// The meshes of such an actor, brought up to date; hidden blocks of a composite dataset left out.
+std::vector<vtkPolyData*> MeshesOf(vtkActor* actor);
+/// When a mesh's geometry last changed.
+vtkMTimeType MeshTime(vtkPolyData* mesh);
+}
+
+#endif

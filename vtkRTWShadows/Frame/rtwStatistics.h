@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the last frame did and what it could leave out.
+#ifndef rtwStatistics_h
+#define rtwStatistics_h
+
+#include <cstdint>
+
+namespace rtw
+{
+struct Statistics
+{
+  int Lights = 0;        ///< with a shadow map
+  int LightsSkipped = 0; ///< that are on and need none
+  int LayersDrawn = 0;
+  int LayersReused = 0; ///< because nothing that they depend on changed
+  std::int64_t ShadowMemory = 0; ///< bytes of maps, tables and view samples
+};
+}
+
+#endif

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the viewer sees through: the camera of a renderer, in double precision.
+#ifndef rtwView_h
+#define rtwView_h
+
+#include <glm/glm.hpp>
+
+class vtkMatrix4x4;
+class vtkRenderer;
+
+namespace rtw
+{
+struct View
+{
+  glm::dmat4 WorldToView{ 1 };
+  glm::dmat4 ViewToWorld{ 1 };
+  glm::dmat4 ViewToClip{ 1 };
+  glm::dmat4 ClipToView{ 1 };
+  glm::dvec3 Eye{ 0 };     ///< in world coordinates
+  glm::dvec3 Forward{ 0 }; ///< unit
+  bool Parallel = false;
+  int Width = 0; ///< of the viewport, in pixels
+  int Height = 0;
+
+  bool IsUsable() const; ///< false for an empty viewport or a camera that is not a number
+};
+
+/// VTK's row-major matrix as GLM's.
+glm::dmat4 ToGlm(vtkMatrix4x4* matrix);
+View ViewOf(vtkRenderer* renderer);
+}
+
+#endif

@@ -1,0 +1,86 @@
+#include "rtwBuffer.h"
+
+#include "rtwOpenGL.h"
+
+#include <algorithm>
+
+namespace rtw
+{
+// The handle of a buffer that nobody released went with its context.
+Buffer::~Buffer() = default;
+
+void Buffer::Reserve(std::size_t bytes, bool keep)
+{
+  bytes = std::max<std::size_t>(bytes, 16);
+  if (this->Id && this->Size >= bytes)
+  {
+    return;
+  }
+  const std::size_t size = keep ? std::max(bytes, this->Size + this->Size / 2) : bytes;
+  GLuint id = 0;
+  glGenBuffers(1, &id);
+  glBindBuffer(GL_COPY_WRITE_BUFFER, id);
+  glBufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(size), nullptr, GL_DYNAMIC_DRAW);
+  if (this->Id)
+  {
+    if (keep)
+    {
+      glBindBuffer(GL_COPY_READ_BUFFER, this->Id);
+      glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0,
+        static_cast<GLsizeiptr>(this->Size));
+      glBindBuffer(GL_COPY_READ_BUFFER, 0);
+    }
+    glDeleteBuffers(1, &this->Id);
+  }
+  glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
+  this->Id = id;
+  this->Size = size;
+}
+
+void Buffer::Write(std::size_t offset, const void* data, std::size_t bytes)
+{
+  if (bytes == 0)
+  {
+    return;
+  }
+  glBindBuffer(GL_COPY_WRITE_BUFFER, this->Id);
+  glBufferSubData(GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(offset),
+    static_cast<GLsizeiptr>(bytes), data);
+  glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
+}
+
+void Buffer::Read(std::size_t offset, void* data, std::size_t bytes) const
+{
+  glBindBuffer(GL_COPY_READ_BUFFER, this->Id);
+  glGetBufferSubData(GL_COPY_READ_BUFFER, static_cast<GLintptr>(offset),
+    static_cast<GLsizeiptr>(bytes), data);
+  glBindBuffer(GL_COPY_READ_BUFFER, 0);
+}
+
+void Buffer::Clear()
+{
+  const GLuint zero = 0;
+  glBindBuffer(GL_COPY_WRITE_BUFFER, this->Id);
+  glClearBufferData(GL_COPY_WRITE_BUFFER, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
+  glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
+}
+
+void Buffer::BindStorage(unsigned int binding) const
+{
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, this->Id);
+}
+
+void Buffer::Bind(unsigned int target) const
+{
+  glBindBuffer(target, this->Id);
+}
+
+void Buffer::Release()
+{
+  if (this->Id)
+  {
+    glDeleteBuffers(1, &this->Id);
+  }
+  this->Abandon();
+}
+}

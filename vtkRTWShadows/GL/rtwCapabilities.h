@@ -1,0 +1,21 @@
+// What the current OpenGL context can do. Asked once a context, because asking is slow.
+#ifndef rtwCapabilities_h
+#define rtwCapabilities_h
+
+namespace rtw
+{
+struct Capabilities
+{
+  int Major = 0;
+  int Minor = 0;
+  bool Compute = false;    ///< compute shaders, storage buffers and indirect draws: OpenGL 4.3
+  bool DepthClamp = false; ///< OpenGL 3.2
+  int MaximumTextureSize = 0;
+  int MaximumLayers = 0;
+
+  /// Of the context that is current.
+  static Capabilities Query();
+};
+}
+
+#endif

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rtwDrawing.h"
+
+#include "rtwBuffer.h"
+#include "rtwOpenGL.h"
+
+namespace rtw
+{
+void MeshArray::Bind(const Buffer& points, const Buffer& indices, const Buffer& matrices)
+{
+  if (!this->Id)
+  {
+    glGenVertexArrays(1, &this->Id);
+  }
+  glBindVertexArray(this->Id);
+  points.Bind(GL_ARRAY_BUFFER);
+  glEnableVertexAttribArray(0);
+  glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
+  matrices.Bind(GL_ARRAY_BUFFER);
+  for (GLuint column = 0; column < 4; ++column)
+  {
+    const auto* offset = static_cast<const char*>(nullptr) + 16 * column;
+    glEnableVertexAttribArray(1 + column);
+    glVertexAttribPointer(1 + column, 4, GL_FLOAT, GL_FALSE, 64, offset);
+    glVertexAttribDivisor(1 + column, 1);
+  }
+  indices.Bind(GL_ELEMENT_ARRAY_BUFFER);
+}
+
+void MeshArray::DrawIndirect(const Buffer& commands, int count) const
+{
+  commands.Bind(GL_DRAW_INDIRECT_BUFFER);
+  glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, nullptr, count, sizeof(DrawCommand));
+  glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
+}
+
+void MeshArray::Draw(Primitive primitive, const DrawCommand& command) const
+{
+  static const GLenum modes[] = { GL_TRIANGLES, GL_LINES, GL_POINTS };
+  const auto* first = static_cast<const char*>(nullptr) + sizeof(std::uint32_t) * command.FirstIndex;
+  glDrawElementsInstancedBaseVertexBaseInstance(modes[static_cast<int>(primitive)],
+    static_cast<GLsizei>(command.Count), GL_UNSIGNED_INT, first,
+    static_cast<GLsizei>(command.InstanceCount), static_cast<GLint>(command.BaseVertex),
+    command.BaseInstance);
+}
+
+void MeshArray::Release()
+{
+  if (this->Id)
+  {
+    glDeleteVertexArrays(1, &this->Id);
+  }
+  this->Abandon();
+}
+
+void Dispatch(int groupsX, int groupsY, int groupsZ)
+{
+  if (groupsX < 1 || groupsY < 1 || groupsZ < 1)
+  {
+    return;
+  }
+  glDispatchCompute(static_cast<GLuint>(groupsX), static_cast<GLuint>(groupsY),
+    static_cast<GLuint>(groupsZ));
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |
+    GL_TEXTURE_FETCH_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT |
+    GL_BUFFER_UPDATE_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
+}
+
+int Groups(int items, int size)
+{
+  return (items + size - 1) / size;
+}
+
+void Finish()
+{
+  glFinish();
+}
+}

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The draw and dispatch calls that our own programs need.
+#ifndef rtwDrawing_h
+#define rtwDrawing_h
+
+#include <cstddef>
+#include <cstdint>
+
+namespace rtw
+{
+class Buffer;
+
+/// As OpenGL lays it out in a buffer for indirect draws.
+struct DrawCommand
+{
+  std::uint32_t Count;
+  std::uint32_t InstanceCount;
+  std::uint32_t FirstIndex;
+  std::uint32_t BaseVertex;
+  std::uint32_t BaseInstance;
+};
+
+enum class Primitive
+{
+  Triangles,
+  Lines,
+  Points
+};
+
+/// Meshes with 3-float points at attribute 0 and, an instance, a 4 × 4 matrix by its columns at attributes 1 to 4.
+class MeshArray
+{
+public:
+  MeshArray() = default;
+  MeshArray(const MeshArray&) = delete;
+  MeshArray& operator=(const MeshArray&) = delete;
+
+  void Bind(const Buffer& points, const Buffer& indices, const Buffer& matrices);
+  void DrawIndirect(const Buffer& commands, int count) const;
+  void Draw(Primitive primitive, const DrawCommand& command) const;
+  void Release();
+  void Abandon() { this->Id = 0; }
+
+private:
+  unsigned int Id = 0;
+};
+
+/// Runs the compute program in use, then makes what it wrote visible to all that follows.
+void Dispatch(int groupsX, int groupsY = 1, int groupsZ = 1);
+/// A number of work groups of that size that covers so many items.
+int Groups(int items, int size);
+/// Blocks until the GPU has nothing left to do.
+void Finish();
+}
+
+#endif

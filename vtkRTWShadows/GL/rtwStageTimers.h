@@ -1,0 +1,65 @@
+// GPU time of each stage of a frame, read two frames late so that nothing waits.
+#ifndef rtwStageTimers_h
+#define rtwStageTimers_h
+
+#include <string>
+#include <vector>
+
+namespace rtw
+{
+class StageTimers
+{
+public:
+  StageTimers() = default;
+  StageTimers(const StageTimers&) = delete;
+  StageTimers& operator=(const StageTimers&) = delete;
+
+  /// Times one stage while it lives; nothing where timing is off.
+  class Scope
+  {
+  public:
+    Scope(StageTimers& timers, const char* stage);
+    ~Scope();
+    Scope(const Scope&) = delete;
+    Scope& operator=(const Scope&) = delete;
+
+  private:
+    StageTimers* Timers;
+  };
+
+  void SetEnabled(bool enabled) { this->Enabled = enabled; }
+  bool GetEnabled() const { return this->Enabled; }
+  /// Collects what is ready of two frames ago and starts a new frame.
+  void NextFrame();
+  int GetNumberOfStages() const { return static_cast<int>(this->Results.size()); }
+  const char* GetName(int stage) const { return this->Results[stage].Name.c_str(); }
+  double GetMilliseconds(int stage) const { return this->Results[stage].Milliseconds; }
+  void Release();
+  void Abandon();
+
+private:
+  struct Query
+  {
+    std::string Stage;
+    unsigned int Id;
+  };
+  struct Result
+  {
+    std::string Name;
+    double Milliseconds;
+  };
+  static constexpr int FramesKept = 3;
+
+  void Begin(const char* stage);
+  void End();
+  void Collect(std::vector<Query>& queries);
+
+  bool Enabled = false;
+  int Current = 0;
+  std::vector<Query> Frames[FramesKept];
+  std::vector<unsigned int> Free;
+  std::vector<Result> Results;
+};
+}
+
+#endif

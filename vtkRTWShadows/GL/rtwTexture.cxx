@@ -1,0 +1,131 @@
+#include "rtwTexture.h"
+
+#include "rtwOpenGL.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace rtw
+{
+namespace
+{
+struct FormatInfo
+{
+  GLenum Internal;
+  GLenum External;
+  GLenum Type;
+  int Components;
+  int Bytes;
+};
+
+const FormatInfo& Info(Format format)
+{
+  static const FormatInfo infos[] = {
+    { GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT, 1, 4 },
+    { GL_RG16F, GL_RG, GL_FLOAT, 2, 4 },
+    { GL_R32F, GL_RED, GL_FLOAT, 1, 4 },
+    { GL_RG32F, GL_RG, GL_FLOAT, 2, 8 },
+    { GL_RGBA32F, GL_RGBA, GL_FLOAT, 4, 16 },
+    { GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4, 4 },
+  };
+  return infos[static_cast<int>(format)];
+}
+}
+
+unsigned int Texture::Target() const
+{
+  return this->Layers > 0 ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D;
+}
+
+void Texture::Allocate(Format format, int width, int height, int layers)
+{
+  if (this->Id && this->Kind == format && this->Width == width && this->Height == height &&
+    this->Layers == layers)
+  {
+    return;
+  }
+  this->Release();
+  this->Kind = format;
+  this->Width = width;
+  this->Height = height;
+  this->Layers = layers;
+  const FormatInfo& info = Info(format);
+  const GLenum target = this->Target();
+  glGenTextures(1, &this->Id);
+  glBindTexture(target, this->Id);
+  glTexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glTexParameteri(target, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTexParameteri(target, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, 0);
+  const GLint internal = static_cast<GLint>(info.Internal);
+  if (layers > 0)
+  {
+    glTexImage3D(
+      target, 0, internal, width, height, layers, 0, info.External, info.Type, nullptr);
+  }
+  else
+  {
+    glTexImage2D(target, 0, internal, width, height, 0, info.External, info.Type, nullptr);
+  }
+  glBindTexture(target, 0);
+}
+
+void Texture::Bind(int unit) const
+{
+  glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+  glBindTexture(this->Target(), this->Id);
+}
+
+void Texture::Unbind(int unit) const
+{
+  glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+  glBindTexture(this->Target(), 0);
+}
+
+void Texture::BindImage(int unit) const
+{
+  glBindImageTexture(static_cast<GLuint>(unit), this->Id, 0, this->Layers > 0 ? GL_TRUE : GL_FALSE,
+    0, GL_READ_WRITE, Info(this->Kind).Internal);
+}
+
+void Texture::ReadFloats(int layer, float* values) const
+{
+  const FormatInfo& info = Info(this->Kind);
+  const std::size_t perLayer =
+    static_cast<std::size_t>(this->Width) * this->Height * info.Components;
+  glBindTexture(this->Target(), this->Id);
+  glPixelStorei(GL_PACK_ALIGNMENT, 4);
+  if (this->Layers == 0)
+  {
+    glGetTexImage(GL_TEXTURE_2D, 0, info.External, GL_FLOAT, values);
+  }
+  else
+  {
+    std::vector<float> all(perLayer * this->Layers);
+    glGetTexImage(GL_TEXTURE_2D_ARRAY, 0, info.External, GL_FLOAT, all.data());
+    std::copy_n(all.data() + perLayer * layer, perLayer, values);
+  }
+  glBindTexture(this->Target(), 0);
+}
+
+void Texture::Release()
+{
+  if (this->Id)
+  {
+    glDeleteTextures(1, &this->Id);
+  }
+  this->Abandon();
+}
+
+int Texture::GetComponents() const
+{
+  return Info(this->Kind).Components;
+}
+
+std::size_t Texture::GetMemory() const
+{
+  const std::size_t layers = this->Layers > 0 ? this->Layers : 1;
+  return this->Id ? layers * this->Width * this->Height * Info(this->Kind).Bytes : 0;
+}
+}

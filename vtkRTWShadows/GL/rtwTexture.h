@@ -1,0 +1,56 @@
+// A two-dimensional OpenGL texture or an array of them, read texel by texel: never filtered by the
+// hardware, whose weights have 8 bits.
+#ifndef rtwTexture_h
+#define rtwTexture_h
+
+#include <cstddef>
+
+namespace rtw
+{
+enum class Format
+{
+  Depth,   ///< 32-bit floating-point depth
+  Half2,   ///< two 16-bit floats
+  Float1,  ///< a 32-bit float
+  Float2,  ///< two 32-bit floats
+  Float4,  ///< four 32-bit floats
+  Bytes4   ///< four bytes, 0 to 1
+};
+
+class Texture
+{
+public:
+  Texture() = default;
+  Texture(const Texture&) = delete;
+  Texture& operator=(const Texture&) = delete;
+
+  /// Makes it so large, of that format; nothing happens where it already is. `layers` 0 is no array.
+  void Allocate(Format format, int width, int height, int layers = 0);
+  /// Binds it to a texture unit, by its number.
+  void Bind(int unit) const;
+  void Unbind(int unit) const;
+  void BindImage(int unit) const;
+  /// One layer (or all, where it is no array), row by row from the bottom, as floats.
+  void ReadFloats(int layer, float* values) const;
+  void Release();
+  void Abandon() { this->Id = 0, this->Width = this->Height = 0; }
+
+  unsigned int GetId() const { return this->Id; }
+  int GetWidth() const { return this->Width; }
+  int GetHeight() const { return this->Height; }
+  int GetLayers() const { return this->Layers; }
+  int GetComponents() const;
+  std::size_t GetMemory() const; ///< in bytes
+
+private:
+  unsigned int Target() const;
+
+  unsigned int Id = 0;
+  Format Kind = Format::Float1;
+  int Width = 0;
+  int Height = 0;
+  int Layers = 0;
+};
+}
+
+#endif

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rtwVTKCompatibility.h"
+
+#include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkMapper.h"
+#include "vtkVersionMacros.h"
+
+#if VTK_MAJOR_VERSION > 9 || (VTK_MAJOR_VERSION == 9 && VTK_MINOR_VERSION >= 3)
+#include "vtkCompositePolyDataMapper.h"
+using CompositeMapper = vtkCompositePolyDataMapper;
+#else
+#include "vtkCompositePolyDataMapper2.h"
+using CompositeMapper = vtkCompositePolyDataMapper2;
+#endif
+
+#include <algorithm>
+#include <cstring>
+#include <initializer_list>
+
+namespace rtw
+{
+namespace
+{
+bool IsOneOf(vtkMapper* mapper, std::initializer_list<const char*> names)
+{
+  return std::any_of(names.begin(), names.end(),
+    [mapper](const char* name) { return std::strcmp(mapper->GetClassName(), name) == 0; });
+}
+}
+
+bool IsCompositeMeshMapper(vtkMapper* mapper)
+{
+  return IsOneOf(mapper,
+    { "vtkCompositePolyDataMapper", "vtkCompositePolyDataMapper2",
+      "vtkOpenGLCompositePolyDataMapper" });
+}
+
+vtkCompositeDataDisplayAttributes* CompositeAttributesOf(vtkMapper* mapper)
+{
+  auto* composite = CompositeMapper::SafeDownCast(mapper);
+  return composite ? composite->GetCompositeDataDisplayAttributes() : nullptr;
+}
+
+bool IsMeshMapper(vtkMapper* mapper)
+{
+  return IsOneOf(mapper,
+    { "vtkOpenGLPolyDataMapper", "vtkOpenGLPolyDataMapper2", "vtkOpenGLLowMemoryPolyDataMapper" });
+}
+}

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The one place that knows how the supported versions of VTK differ, but for the OpenGL loader (rtwOpenGL.h).
+#ifndef rtwVTKCompatibility_h
+#define rtwVTKCompatibility_h
+
+class vtkCompositeDataDisplayAttributes;
+class vtkMapper;
+
+namespace rtw
+{
+/// Whether a mapper draws each leaf of a composite dataset as a plain mesh.
+bool IsCompositeMeshMapper(vtkMapper* mapper);
+/// Which blocks such a mapper shows; null where it has no such thing.
+vtkCompositeDataDisplayAttributes* CompositeAttributesOf(vtkMapper* mapper);
+/// Whether a mapper draws one mesh, as it is; false for its subclasses, such as the imposters.
+bool IsMeshMapper(vtkMapper* mapper);
+}
+
+#endif

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rtwFocus.h"
+
+#include "rtwDrawing.h"
+#include "rtwFocusReduction.h"
+#include "rtwFocusWrite.h"
+#include "rtwLightUniforms.h"
+#include "rtwOpenGL.h"
+#include "rtwViewSampleAccess.h"
+#include "rtwViewSampler.h"
+#include "rtwWarpTable.h"
+
+#include <cstdint>
+#include <cstring>
+
+namespace rtw
+{
+namespace
+{
+constexpr float Margin = 1e-4f; // of the focus' extent, for rounding
+constexpr int Tile = 64;        // as in rtwFocusReduction.glsl
+
+// An order that floats and unsigned integers share, as in the shader.
+std::uint32_t Ordered(double value)
+{
+  const auto x = static_cast<float>(value);
+  std::uint32_t bits;
+  std::memcpy(&bits, &x, sizeof(bits));
+  return bits & 0x80000000u ? ~bits : bits | 0x80000000u;
+}
+
+void SetWholeBounds(const Program& program, const LightFrame& frame)
+{
+  const Rectangle& b = frame.Bounds;
+  glUniform4f(program.Location("rtwWholeBounds"), float(b.Low.x), float(b.Low.y), float(b.High.x),
+    float(b.High.y));
+}
+}
+
+bool FocusStage::Build()
+{
+  return this->Reduction.Build(
+           { { GL_COMPUTE_SHADER, { rtwViewSampleAccess, rtwFocusReduction } } }) &&
+    this->Writing.Build({ { GL_COMPUTE_SHADER, { rtwFocusWrite } } });
+}
+
+const std::string& FocusStage::GetLog() const
+{
+  return this->Reduction.IsBuilt() ? this->Writing.GetLog() : this->Reduction.GetLog();
+}
+
+void FocusStage::Reduce(const std::vector<LightFrame>& frames, const std::vector<Rectangle>& also,
+  const ViewSampler& samples, const WarpTable& table)
+{
+  std::vector<std::uint32_t> start;
+  for (std::size_t layer = 0; layer < frames.size(); ++layer)
+  {
+    const Rectangle& r = also[layer];
+    const bool any = r.Low.x <= r.High.x;
+    for (int k = 0; k < 2; ++k)
+    {
+      start.push_back(any ? Ordered(r.Low[k]) : 0xffffffffu);
+    }
+    for (int k = 0; k < 2; ++k)
+    {
+      start.push_back(any ? Ordered(r.High[k]) : 0u);
+    }
+  }
+  this->Bounds.Assign(start);
+  this->Bounds.BindStorage(0);
+  this->Reduction.Use();
+  samples.Bind(this->Reduction);
+  for (std::size_t layer = 0; layer < frames.size(); ++layer)
+  {
+    BindLight(this->Reduction, frames[layer], samples.GetView());
+    SetWholeBounds(this->Reduction, frames[layer]);
+    this->Reduction.Set("rtwLayer", static_cast<int>(layer));
+    Dispatch(Groups(samples.GetWidth(), Tile), Groups(samples.GetHeight(), Tile));
+  }
+  this->Writing.Use();
+  table.GetTexture().BindImage(0);
+  for (std::size_t layer = 0; layer < frames.size(); ++layer)
+  {
+    SetWholeBounds(this->Writing, frames[layer]);
+    this->Writing.Set("rtwLayer", static_cast<int>(layer));
+    this->Writing.Set("rtwCells", table.GetCells());
+    this->Writing.Set("rtwMargin", Margin);
+    Dispatch(1);
+  }
+}
+
+void FocusStage::Release()
+{
+  this->Reduction.Release();
+  this->Writing.Release();
+  this->Bounds.Release();
+}
+
+void FocusStage::Abandon()
+{
+  this->Reduction.Abandon();
+  this->Writing.Abandon();
+  this->Bounds.Abandon();
+}
+}

@@ -1,0 +1,62 @@
+// The bounds on the light plane of all view samples that the light can reach: the desired view (Rosen 2012, section 5.1; Milet
+// et al. 2015, section 3.3), by parallel reduction.
+layout(local_size_x = 16, local_size_y = 16) in;
+const int TILE = 64; // samples a side that a work group looks at
+
+layout(std430, binding = 0) buffer Bounds
+{
+  uint rtwBounds[]; // a layer: low s, low t, high s, high t; in an order that unsigned numbers share
+};
+uniform int rtwLayer;
+uniform vec4 rtwWholeBounds; // nothing outside the light's own bounds counts
+shared vec4 rtwPartial[256];
+
+uint rtwOrdered(float x)
+{
+  uint bits = floatBitsToUint(x);
+  return (bits & 0x80000000u) != 0u ? ~bits : bits | 0x80000000u;
+}
+
+void main()
+{
+  ivec2 size = textureSize(rtwSampleDepth, 0);
+  vec4 bounds = vec4(1e30, 1e30, -1e30, -1e30);
+  ivec2 corner = ivec2(gl_WorkGroupID.xy) * TILE + ivec2(gl_LocalInvocationID.xy);
+  for (int y = 0; y < TILE; y += 16)
+  {
+    for (int x = 0; x < TILE; x += 16)
+    {
+      ivec2 pixel = corner + ivec2(x, y);
+      if (all(lessThan(pixel, size)))
+      {
+        ViewSample s = rtwLoadSample(pixel);
+        if (s.used)
+        {
+          // Half its footprint reaches to the next sample, behind which a receiver may end.
+          bounds.xy = min(bounds.xy, s.onLight - s.footprint);
+          bounds.zw = max(bounds.zw, s.onLight + s.footprint);
+        }
+      }
+    }
+  }
+  uint me = gl_LocalInvocationIndex;
+  rtwPartial[me] = bounds;
+  barrier();
+  for (uint step = 128u; step > 0u; step /= 2u)
+  {
+    if (me < step)
+    {
+      vec4 other = rtwPartial[me + step];
+      rtwPartial[me] = vec4(min(rtwPartial[me].xy, other.xy), max(rtwPartial[me].zw, other.zw));
+    }
+    barrier();
+  }
+  if (me == 0u && rtwPartial[0].x <= rtwPartial[0].z)
+  {
+    vec4 found = vec4(max(rtwPartial[0].xy, rtwWholeBounds.xy), min(rtwPartial[0].zw, rtwWholeBounds.zw));
+    atomicMin(rtwBounds[4 * rtwLayer], rtwOrdered(found.x));
+    atomicMin(rtwBounds[4 * rtwLayer + 1], rtwOrdered(found.y));
+    atomicMax(rtwBounds[4 * rtwLayer + 2], rtwOrdered(found.z));
+    atomicMax(rtwBounds[4 * rtwLayer + 3], rtwOrdered(found.w));
+  }
+}

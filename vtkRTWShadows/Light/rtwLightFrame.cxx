@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rtwLightFrame.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace rtw
+{
+namespace
+{
+// Wider cones would give their middle next to no texels; their rim stays unshadowed.
+constexpr double WidestCone = 89.0;
+// Of a spot's reach: casters nearer to it than that share one depth.
+constexpr double NearestShare = 1e-3;
+
+std::array<glm::dvec3, 8> Corners(const glm::dvec3& low, const glm::dvec3& high)
+{
+  std::array<glm::dvec3, 8> corners;
+  for (int i = 0; i < 8; ++i)
+  {
+    corners[i] = { i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z };
+  }
+  return corners;
+}
+
+void SetRow(glm::dmat4& matrix, int row, const glm::dvec3& axis, double offset)
+{
+  for (int column = 0; column < 3; ++column)
+  {
+    matrix[column][row] = axis[column];
+  }
+  matrix[3][row] = offset;
+}
+
+void FitDirectional(LightFrame& frame, const std::array<glm::dvec3, 8>& corners, const glm::dvec3& eye)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  glm::dvec3 low(infinity), high(-infinity);
+  for (const glm::dvec3& corner : corners)
+  {
+    const glm::dvec3 d = corner - eye;
+    const glm::dvec3 q(glm::dot(d, frame.SAxis), glm::dot(d, frame.TAxis),
+      glm::dot(d, frame.Light.Direction));
+    low = glm::min(low, q);
+    high = glm::max(high, q);
+  }
+  const double side = std::max({ high.x - low.x, high.y - low.y, 1e-30 }) * 1.0001;
+  const glm::dvec2 middle = 0.5 * glm::dvec2(low + high);
+  frame.Bounds = { middle - 0.5 * side, middle + 0.5 * side };
+  const double margin = 1e-3 * std::max(side, high.z - low.z);
+  frame.DepthRange = high.z - low.z + 2 * margin;
+  const double nearest = low.z - margin;
+  SetRow(frame.WorldToLight, 0, frame.SAxis, -glm::dot(eye, frame.SAxis));
+  SetRow(frame.WorldToLight, 1, frame.TAxis, -glm::dot(eye, frame.TAxis));
+  SetRow(frame.WorldToLight, 2, frame.Light.Direction / frame.DepthRange,
+    -(glm::dot(eye, frame.Light.Direction) + nearest) / frame.DepthRange);
+  SetRow(frame.WorldToLight, 3, glm::dvec3(0), 1);
+}
+
+void FitSpot(LightFrame& frame, const std::array<glm::dvec3, 8>& corners, const glm::dvec3& eye)
+{
+  const ShadowLight& light = frame.Light;
+  double nearest = std::numeric_limits<double>::infinity(), farthest = 0;
+  for (const glm::dvec3& corner : corners)
+  {
+    const double along = glm::dot(corner - light.Position, light.Direction);
+    nearest = std::min(nearest, along);
+    farthest = std::max(farthest, along);
+  }
+  farthest = std::max(farthest, 1e-30) * 1.001;
+  nearest = std::clamp(0.999 * nearest, NearestShare * farthest, 0.5 * farthest);
+  frame.NearestDistance = nearest;
+  frame.FarthestDistance = farthest;
+  frame.ConeTangent = std::tan(glm::radians(std::min(light.ConeAngle, WidestCone)));
+
+  const glm::dvec3 toEye = eye - light.Position;
+  const double eyeAlong = glm::dot(toEye, light.Direction);
+  glm::dvec2 origin(0);
+  if (eyeAlong > nearest)
+  {
+    origin = glm::dvec2(glm::dot(toEye, frame.SAxis), glm::dot(toEye, frame.TAxis)) / eyeAlong;
+    origin = glm::clamp(origin, -2 * frame.ConeTangent, 2 * frame.ConeTangent);
+  }
+  frame.ConeCentre = -origin;
+  frame.Bounds = { frame.ConeCentre - frame.ConeTangent, frame.ConeCentre + frame.ConeTangent };
+
+  const glm::dvec3 s = frame.SAxis - origin.x * light.Direction;
+  const glm::dvec3 t = frame.TAxis - origin.y * light.Direction;
+  const double along = -glm::dot(light.Position, light.Direction);
+  // depth = (1/n - 1/w) / (1/n - 1/f)
+  const double scale = 1 / (1 / nearest - 1 / farthest);
+  SetRow(frame.WorldToLight, 0, s, -glm::dot(light.Position, s));
+  SetRow(frame.WorldToLight, 1, t, -glm::dot(light.Position, t));
+  SetRow(frame.WorldToLight, 2, light.Direction * scale / nearest, scale * (along / nearest - 1));
+  SetRow(frame.WorldToLight, 3, light.Direction, along);
+}
+}
+
+bool ShadowLight::operator==(const ShadowLight& other) const
+{
+  return this->Kind == other.Kind && this->Switched == other.Switched &&
+    this->Direction == other.Direction && this->Position == other.Position &&
+    this->ConeAngle == other.ConeAngle && this->Attenuation == other.Attenuation;
+}
+
+double LightFrame::DepthOfLength() const
+{
+  return this->Light.Kind == LightKind::Directional
+    ? 1 / this->DepthRange
+    : 1 / (1 / this->NearestDistance - 1 / this->FarthestDistance);
+}
+
+glm::dvec3 LightFrame::Project(const glm::dvec3& world) const
+{
+  const glm::dvec4 p = this->WorldToLight * glm::dvec4(world, 1);
+  return p.w > 0 ? glm::dvec3(p) / p.w : glm::dvec3(std::numeric_limits<double>::infinity());
+}
+
+LightFrame MakeLightFrame(
+  const ShadowLight& light, const glm::dvec3& low, const glm::dvec3& high, const glm::dvec3& eye)
+{
+  LightFrame frame;
+  frame.Light = light;
+  const glm::dvec3 across =
+    std::abs(light.Direction.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
+  frame.SAxis = glm::normalize(glm::cross(across, light.Direction));
+  frame.TAxis = glm::cross(light.Direction, frame.SAxis);
+  if (light.Kind == LightKind::Directional)
+  {
+    FitDirectional(frame, Corners(low, high), eye);
+  }
+  else
+  {
+    FitSpot(frame, Corners(low, high), eye);
+  }
+  return frame;
+}
+}

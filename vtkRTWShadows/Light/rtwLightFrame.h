@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A light's view of the world, in double precision: where a point lies on the light plane, and how deep.
+//
+// Light-plane coordinates l have their origin where the viewer's eye lies, so that they are precise near it when they
+// become floats: across a directional light in world units, across a spot as the tangents of angles. Depth is linear in l over
+// any plane (for a spot it goes with the inverse distance along the axis), 0 at the near end of the scene, 1 at the far.
+#ifndef rtwLightFrame_h
+#define rtwLightFrame_h
+
+#include <glm/glm.hpp>
+
+namespace rtw
+{
+enum class LightKind
+{
+  Directional,
+  Spot
+};
+
+/// A light as it stands in the world in this frame.
+struct ShadowLight
+{
+  LightKind Kind = LightKind::Directional;
+  int Switched = 0; ///< its number among the lights that are switched on: N of VTK's lightColorN
+  glm::dvec3 Direction{ 0, 0, -1 }; ///< in which light travels, or the spot's axis; unit
+  glm::dvec3 Position{ 0 };         ///< of a spot
+  double ConeAngle = 0;             ///< half of a spot's opening, in degrees
+  double Attenuation = 1;           ///< how much of the light a shadow takes away, 0 to 1
+
+  bool operator==(const ShadowLight& other) const;
+};
+
+struct Rectangle
+{
+  glm::dvec2 Low{ 0 };
+  glm::dvec2 High{ 1 };
+};
+
+struct LightFrame
+{
+  ShadowLight Light;
+  glm::dvec3 SAxis{ 1, 0, 0 };
+  glm::dvec3 TAxis{ 0, 1, 0 };
+  /// From world to (l · w, depth · w, w); w is 1 for a directional light, the distance along the axis for a spot.
+  glm::dmat4 WorldToLight{ 1 };
+  Rectangle Bounds;         ///< a square on the light plane that holds the scene, or a spot's cone
+  glm::dvec2 ConeCentre{ 0 }; ///< of a spot
+  double ConeTangent = 0;
+  double NearestDistance = 0; ///< along a spot's axis, where depth is 0
+  double FarthestDistance = 0; ///< along a spot's axis, where depth is 1
+  double DepthRange = 1;    ///< world units of depth at a directional light
+
+  /// What a world length along the light is in units of depth; for a spot, times w².
+  double DepthOfLength() const;
+  /// Light-plane coordinates and depth; infinite behind a spot.
+  glm::dvec3 Project(const glm::dvec3& world) const;
+};
+
+/// A frame for a light that shines on the box from low to high, seen from the eye.
+LightFrame MakeLightFrame(
+  const ShadowLight& light, const glm::dvec3& low, const glm::dvec3& high, const glm::dvec3& eye);
+}
+
+#endif

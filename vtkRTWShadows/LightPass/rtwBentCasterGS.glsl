@@ -1,0 +1,155 @@
+// Curved rasterization: a cover of the warped triangle, in which each fragment decides in unwarped light space.
+//
+// The cover is the smaller of two that hold all of it: its bounds on the map, which are the images of its bounds on the light plane
+// because the warp is separable and monotone; and the straight triangle's box along its longest edge, grown by
+// as much as the warp can bend. Edges and plane are homogeneous (Olano and Greer 1997), so that a triangle that
+// reaches behind a spot needs no clipping but for its bounds.
+layout(triangles) in;
+layout(triangle_strip, max_vertices = 4) out;
+in vec4 focusedPoint[];
+flat out vec3 edges[3];
+flat out vec3 plane;       // depth at (q, 1)
+flat out vec2 depthRange;
+flat out int bent;
+uniform int rtwLayer;
+uniform float rtwNearestW;
+uniform float rtwAllowedBend;
+
+const float MARGIN = 0.02; // of a texel, for rounding
+
+// What every vertex carries: outputs don't outlive an EmitVertex.
+vec3 myEdges[3];
+vec3 myPlane;
+vec2 myDepthRange;
+int myBent;
+
+bool rtwSetUp()
+{
+  vec3 h[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    h[i] = focusedPoint[i].xyw;
+  }
+  vec3 e[3] = vec3[3](cross(h[1], h[2]), cross(h[2], h[0]), cross(h[0], h[1]));
+  float volume = dot(h[0], e[0]);
+  if (volume == 0.0)
+  {
+    return false; // seen edge on
+  }
+  myPlane = vec3(0.0);
+  for (int i = 0; i < 3; ++i)
+  {
+    myEdges[i] = volume < 0.0 ? -e[i] : e[i];
+    myPlane += focusedPoint[i].z / volume * e[i];
+  }
+  return true;
+}
+
+// Of the part that is not behind the light: q low, q high. False where none is left or all of it lies beside the map.
+bool rtwBounds(out vec4 bounds, out bool crosses)
+{
+  vec2 low = vec2(1e30);
+  vec2 high = vec2(-1e30);
+  uint outside = 15u;
+  crosses = false;
+  myDepthRange = vec2(1e30, -1e30);
+  for (int i = 0; i < 3; ++i)
+  {
+    vec4 a = focusedPoint[i];
+    vec4 b = focusedPoint[(i + 1) % 3];
+    outside &= (a.x < 0.0 ? 1u : 0u) | (a.x > a.w ? 2u : 0u) | (a.y < 0.0 ? 4u : 0u) | (a.y > a.w ? 8u : 0u);
+    if (a.w >= rtwNearestW)
+    {
+      low = min(low, a.xy / a.w);
+      high = max(high, a.xy / a.w);
+      myDepthRange = vec2(min(myDepthRange.x, a.z / a.w), max(myDepthRange.y, a.z / a.w));
+    }
+    if ((a.w < rtwNearestW) != (b.w < rtwNearestW))
+    {
+      vec4 p = mix(a, b, (rtwNearestW - a.w) / (b.w - a.w)) / rtwNearestW;
+      low = min(low, p.xy);
+      high = max(high, p.xy);
+      myDepthRange = vec2(min(myDepthRange.x, p.z), max(myDepthRange.y, p.z));
+      crosses = true;
+    }
+  }
+  bounds = vec4(low, high);
+  return outside == 0u && low.x <= high.x;
+}
+
+void rtwEmit(vec2 onMap, float depth)
+{
+  edges = myEdges;
+  plane = myPlane;
+  depthRange = myDepthRange;
+  bent = myBent;
+  gl_Position = vec4(2.0 * onMap - 1.0, 2.0 * depth - 1.0, 1.0);
+  EmitVertex();
+}
+
+void main()
+{
+  vec4 bounds;
+  bool crosses;
+  myBent = 0;
+  if (!rtwSetUp() || !rtwBounds(bounds, crosses))
+  {
+    return;
+  }
+  float texel = 1.0 / float(rtwWarpSize.y);
+  vec2 bend = vec2(rtwBend(rtwLayer, 0, bounds.x, bounds.z), rtwBend(rtwLayer, 1, bounds.y, bounds.w));
+  vec2 u[3];
+  float nearest = max(myDepthRange.x, 0.0);
+  if (!crosses)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      u[i] = rtwWarp(rtwLayer, focusedPoint[i].xy / focusedPoint[i].w);
+    }
+    if (max(bend.x, bend.y) <= rtwAllowedBend)
+    {
+      for (int i = 0; i < 3; ++i)
+      {
+        rtwEmit(u[i], nearest);
+      }
+      return;
+    }
+  }
+  myBent = 1;
+  bend += MARGIN * texel;
+  vec2 low = max(rtwWarp(rtwLayer, bounds.xy) - MARGIN * texel, vec2(0.0));
+  vec2 high = min(rtwWarp(rtwLayer, bounds.zw) + MARGIN * texel, vec2(1.0));
+  if (any(greaterThan(low, high)))
+  {
+    return;
+  }
+  vec2 size = high - low;
+  if (!crosses)
+  {
+    vec2 a = u[1] - u[0];
+    vec2 b = u[2] - u[1];
+    vec2 c = u[0] - u[2];
+    vec2 along = dot(a, a) > dot(b, b) ? a : b;
+    along = dot(c, c) > dot(along, along) ? c : along;
+    along /= max(length(along), 1e-20);
+    vec2 across = vec2(-along.y, along.x);
+    vec3 x = vec3(dot(u[0], along), dot(u[1], along), dot(u[2], along));
+    vec3 y = vec3(dot(u[0], across), dot(u[1], across), dot(u[2], across));
+    float growX = dot(abs(along), bend);
+    float growY = dot(abs(across), bend);
+    vec2 from = vec2(min(x.x, min(x.y, x.z)) - growX, min(y.x, min(y.y, y.z)) - growY);
+    vec2 to = vec2(max(x.x, max(x.y, x.z)) + growX, max(y.x, max(y.y, y.z)) + growY);
+    if ((to.x - from.x) * (to.y - from.y) < size.x * size.y)
+    {
+      rtwEmit(from.x * along + from.y * across, nearest);
+      rtwEmit(to.x * along + from.y * across, nearest);
+      rtwEmit(from.x * along + to.y * across, nearest);
+      rtwEmit(to.x * along + to.y * across, nearest);
+      return;
+    }
+  }
+  rtwEmit(low, nearest);
+  rtwEmit(vec2(high.x, low.y), nearest);
+  rtwEmit(vec2(low.x, high.y), nearest);
+  rtwEmit(high, nearest);
+}

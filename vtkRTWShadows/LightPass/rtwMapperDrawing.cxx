@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rtwMapperDrawing.h"
+
+#include "rtwView.h"
+
+#include "vtkCamera.h"
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkOpenGLActor.h"
+#include "vtkOpenGLCamera.h"
+#include "vtkProp.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+
+#include <glm/gtc/matrix_access.hpp>
+
+namespace rtw
+{
+namespace
+{
+void CopyTo(vtkMatrix4x4* to, const glm::dmat4& from)
+{
+  for (int row = 0; row < 4; ++row)
+  {
+    for (int column = 0; column < 4; ++column)
+    {
+      to->SetElement(row, column, from[column][row]);
+    }
+  }
+}
+
+// Stands where the light does, or before the scene; its projection leads to light-plane coordinates whatever its own frustum is.
+// Its kind of projection is the viewer's, because mappers build other shaders for another kind.
+void SetLightCamera(vtkCamera* camera, const LightFrame& frame, vtkCamera* viewer)
+{
+  glm::dvec3 position = frame.Light.Position;
+  if (frame.Light.Kind == LightKind::Directional)
+  {
+    const glm::dvec2 middle = 0.5 * (frame.Bounds.Low + frame.Bounds.High);
+    const glm::dvec3 before(middle, 0); // depth 0 is before the scene
+    const glm::dvec4 world = glm::inverse(frame.WorldToLight) * glm::dvec4(before, 1);
+    position = glm::dvec3(world) / world.w - frame.DepthRange * frame.Light.Direction;
+  }
+  const glm::dvec3 focus = position + frame.Light.Direction;
+  camera->SetPosition(position.x, position.y, position.z);
+  camera->SetFocalPoint(focus.x, focus.y, focus.z);
+  camera->SetViewUp(frame.TAxis.x, frame.TAxis.y, frame.TAxis.z);
+  camera->SetParallelProjection(viewer->GetParallelProjection());
+  glm::dmat4 toClip = frame.WorldToLight;
+  toClip = glm::row(toClip, 2, 2.0 * glm::row(toClip, 2) - glm::row(toClip, 3));
+  const glm::dmat4 viewToWorld = glm::inverse(ToGlm(camera->GetModelViewTransformMatrix()));
+  vtkNew<vtkMatrix4x4> projection;
+  CopyTo(projection, toClip * viewToWorld);
+  camera->SetExplicitProjectionTransformMatrix(projection);
+  camera->UseExplicitProjectionTransformMatrixOn();
+}
+
+// Translucent actors write no depth unless they are told to.
+void DrawTranslucent(vtkRenderer* renderer, vtkProp* prop)
+{
+  vtkInformation* keys = prop->GetPropertyKeys();
+  vtkInformationIntegerKey* key = vtkOpenGLActor::GLDepthMaskOverride();
+  const bool had = keys && keys->Has(key);
+  const int value = had ? keys->Get(key) : 0;
+  if (keys)
+  {
+    keys->Set(key, 1);
+  }
+  prop->RenderTranslucentPolygonalGeometry(renderer);
+  if (keys && had)
+  {
+    keys->Set(key, value);
+  }
+  else if (keys)
+  {
+    keys->Remove(key);
+  }
+}
+}
+
+void DrawMapperCasters(
+  vtkRenderer* renderer, const std::vector<SceneProp>& props, const LightFrame& frame)
+{
+  vtkSmartPointer<vtkCamera> viewer = renderer->GetActiveCamera();
+  vtkNew<vtkOpenGLCamera> camera;
+  SetLightCamera(camera, frame, viewer);
+  renderer->SetActiveCamera(camera);
+  for (const SceneProp& prop : props)
+  {
+    if (prop.Casts)
+    {
+      prop.Prop->RenderOpaqueGeometry(renderer);
+      if (prop.Translucent)
+      {
+        DrawTranslucent(renderer, prop.Prop);
+      }
+    }
+  }
+  renderer->SetActiveCamera(viewer);
+  // Programs that serve both passes would otherwise keep the light's positions as the light camera sees them.
+  viewer->Modified();
+}
+
+void DrawMapperReceivers(vtkRenderer* renderer, const std::vector<SceneProp>& props)
+{
+  for (const SceneProp& prop : props)
+  {
+    if (prop.Receives)
+    {
+      prop.Prop->RenderOpaqueGeometry(renderer);
+    }
+  }
+}
+}

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Draws through VTK's own mappers what only they know how to draw.
+#ifndef rtwMapperDrawing_h
+#define rtwMapperDrawing_h
+
+#include "rtwLightFrame.h"
+#include "rtwFrameScene.h"
+
+#include <vector>
+
+class vtkRenderer;
+
+namespace rtw
+{
+/// The casters among the props as the light sees them, translucent ones as if they were opaque. The clip coordinates are those
+/// of the light plane; rtwPlaceCaster.glsl takes them onto the map.
+void DrawMapperCasters(
+  vtkRenderer* renderer, const std::vector<SceneProp>& props, const LightFrame& frame);
+/// The opaque receivers among the props as the camera sees them.
+void DrawMapperReceivers(vtkRenderer* renderer, const std::vector<SceneProp>& props);
+}
+
+#endif

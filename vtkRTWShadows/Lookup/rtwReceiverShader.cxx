@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rtwReceiverShader.h"
+
+#include "rtwLookup.h"
+#include "rtwMapperOutput.h"
+#include "rtwMapperPhase.h"
+#include "rtwPlaceCaster.h"
+#include "rtwWarpFocus.h"
+
+#include "vtkShaderProgram.h"
+
+#include <cctype>
+#include <cstring>
+
+namespace rtw
+{
+namespace
+{
+const char* const LitMark = "//RTW::Lit";
+const char* const EndMark = "//RTW::End";
+
+bool IsIdentifier(char c)
+{
+  return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
+}
+
+// Replaces an identifier wherever it stands whole, but not where it is declared.
+void ReplaceIdentifier(std::string& text, const std::string& name, const std::string& with)
+{
+  for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at))
+  {
+    const std::size_t end = at + name.size();
+    const bool whole = (at == 0 || !IsIdentifier(text[at - 1])) &&
+      (end >= text.size() || !IsIdentifier(text[end]));
+    const std::size_t line = text.rfind('\n', at) + 1;
+    const bool declared = text.compare(line, 8, "uniform ") == 0;
+    if (whole && !declared)
+    {
+      text.replace(at, name.size(), with);
+      at += with.size();
+    }
+    else
+    {
+      at = end;
+    }
+  }
+}
+
+bool Contains(const std::string& text, const char* what)
+{
+  return text.find(what) != std::string::npos;
+}
+
+void InsertBeforeMain(std::string& text, const std::string& code)
+{
+  const std::size_t main = text.find("void main");
+  if (main != std::string::npos)
+  {
+    text.insert(main, code);
+  }
+}
+
+std::string WarpCode(const ReceiverShape& shape)
+{
+  return std::string(rtwMapperPhase) + rtwWarpFocus + shape.Warp.Function;
+}
+
+// The last place that knows a vertex's position: the geometry shader, where there is one.
+void InjectPlacing(std::string& vertex, std::string& geometry, const ReceiverShape& shape)
+{
+  const std::string code = WarpCode(shape) + rtwPlaceCaster;
+  if (Contains(geometry, "EmitVertex"))
+  {
+    InsertBeforeMain(geometry, code);
+    ReplaceIdentifier(geometry, "EmitVertex", "rtwPlaceCaster(); EmitVertex");
+    return;
+  }
+  const std::size_t end = vertex.rfind('}');
+  if (end != std::string::npos)
+  {
+    vertex.insert(end, "  rtwPlaceCaster();\n");
+    InsertBeforeMain(vertex, code);
+  }
+}
+
+// Depth as the fragment has it by now; imposters write their own.
+std::string GeometryCode(const std::string& fragment)
+{
+  const char* depth = Contains(fragment, "gl_FragDepth") ? "gl_FragDepth" : "gl_FragCoord.z";
+  return std::string("rtwGeometryOutput(") + depth + ")";
+}
+
+std::string FactorCode(const ReceiverShape& shape)
+{
+  std::string code = "  vec3 rtwNormal = rtwSurfaceNormal(vertexVC.xyz, cameraParallel);\n";
+  for (std::size_t k = 0; k < shape.Switched.size(); ++k)
+  {
+    const std::string n = std::to_string(k);
+    code += "  float rtwFactor" + n + " = rtwFactor(" + n + ", vertexVC.xyz, rtwNormal);\n";
+  }
+  return code;
+}
+}
+
+bool ReceiverShape::operator==(const ReceiverShape& other) const
+{
+  const bool sameWarp = this->Warp.Name == other.Warp.Name ||
+    (this->Warp.Name && other.Warp.Name && !std::strcmp(this->Warp.Name, other.Warp.Name));
+  return sameWarp && this->Switched == other.Switched && this->Filter == other.Filter &&
+    this->DepthTest == other.DepthTest;
+}
+
+void MarkPlaces(std::string& fragment)
+{
+  vtkShaderProgram::Substitute(fragment, "//VTK::Light::Impl",
+    std::string(LitMark) + "\n//VTK::Light::Impl\n", false);
+  vtkShaderProgram::Substitute(fragment, "//VTK::TCoord::Impl",
+    std::string("//VTK::TCoord::Impl\n") + EndMark + "\n", false);
+}
+
+void InjectReceiver(ReceiverSources sources, const ReceiverShape& shape)
+{
+  std::string& fragment = sources.Fragment;
+  // Unlit primitives and point gaussians know no position and receive nothing.
+  const bool lit =
+    Contains(fragment, "vec4 vertexVC =") || Contains(fragment, "vertexVC.xyz");
+  // A texture may cut holes; only what comes after it knows.
+  const bool textured = Contains(fragment, "tcoordVCVSOutput") && Contains(fragment, "texture");
+  const std::string geometry = GeometryCode(fragment);
+  std::string code = "#define RTW_LIGHTS " + std::to_string(shape.Switched.size()) +
+    "\n#define RTW_FILTER " + std::to_string(shape.Filter) + "\n#define RTW_DEPTH_TEST " +
+    std::to_string(shape.DepthTest) + "\n" + WarpCode(shape) + rtwMapperOutput;
+  std::string atLight, atEnd;
+  if (!textured)
+  {
+    atLight = "  if (rtwPhase == 1 || rtwPhase == 2) { gl_FragData[0] = " + geometry + "; return; }\n";
+  }
+  else
+  {
+    atEnd = "  if (rtwPhase == 1 || rtwPhase == 2)\n  {\n    if (gl_FragData[0].a < 0.5) { discard; }\n"
+            "    gl_FragData[0] = " + geometry + ";\n  }\n";
+  }
+  if (lit)
+  {
+    code += rtwLookup;
+    atLight += FactorCode(shape);
+    for (std::size_t k = 0; k < shape.Switched.size(); ++k)
+    {
+      const std::string colour = "lightColor" + std::to_string(shape.Switched[k]);
+      ReplaceIdentifier(
+        fragment, colour, "(rtwFactor" + std::to_string(k) + " * " + colour + ")");
+    }
+    atEnd += "  if (rtwPhase == 3) { gl_FragData[0] = vec4(vec3(rtwMaskValue("
+             "rtwVisibility(rtwLayer, vertexVC.xyz, rtwNormal))), 1.0); }\n";
+  }
+  else
+  {
+    atEnd += "  if (rtwPhase == 3) { gl_FragData[0] = vec4(vec3(128.0 / 255.0), 1.0); }\n";
+  }
+  // The light camera may be of another kind than the viewer's, whose kind VTK tells the shader.
+  ReplaceIdentifier(fragment, "cameraParallel", "rtwCameraParallel()");
+  code += "int rtwCameraParallel() { return rtwPhase == 1 ? rtwLightParallel : cameraParallel; }\n";
+  vtkShaderProgram::Substitute(fragment, LitMark, atLight, false);
+  vtkShaderProgram::Substitute(fragment, EndMark, atEnd, false);
+  InsertBeforeMain(fragment, code);
+  InjectPlacing(sources.Vertex, sources.Geometry, shape);
+}
+
+ReceiverLights ReceiverLights::Make(
+  const std::vector<LightFrame>& frames, const View& view, double bias, double size)
+{
+  ReceiverLights lights;
+  lights.Count = static_cast<int>(frames.size());
+  for (const LightFrame& frame : frames)
+  {
+    const bool spot = frame.Light.Kind == LightKind::Spot;
+    const glm::mat4 toLight(frame.WorldToLight * view.ViewToWorld);
+    const glm::vec4 towards(view.WorldToView *
+      (spot ? glm::dvec4(frame.Light.Position, 1) : glm::dvec4(-frame.Light.Direction, 0)));
+    for (int column = 0; column < 4; ++column)
+    {
+      for (int row = 0; row < 4; ++row)
+      {
+        lights.ToLight.push_back(toLight[column][row]);
+      }
+    }
+    lights.Towards.insert(
+      lights.Towards.end(), { towards.x, towards.y, towards.z, spot ? 1.f : 0.f });
+    lights.Cone.insert(lights.Cone.end(),
+      { float(frame.ConeCentre.x), float(frame.ConeCentre.y), float(frame.ConeTangent), 0.f });
+    const double depthOfLength = frame.DepthOfLength();
+    lights.Tolerance.insert(lights.Tolerance.end(),
+      { 4e-7f, float(2e-6 * size * depthOfLength), float(bias * size * depthOfLength) });
+    lights.Attenuation.push_back(float(frame.Light.Attenuation));
+  }
+  return lights;
+}
+
+void ReceiverUniforms::Set(vtkShaderProgram* program) const
+{
+  program->SetUniformi("rtwPhase", static_cast<int>(this->CurrentPhase));
+  program->SetUniformi("rtwLayer", this->Layer);
+  program->SetUniformi("rtwLightParallel", this->LightParallel ? 1 : 0);
+  program->SetUniformi("rtwWarpTable", this->WarpUnit);
+  program->SetUniformi("rtwDepths", this->DepthUnit);
+  program->SetUniformi("rtwGradients", this->GradientUnit);
+  const int size[] = { this->Cells, this->Resolution };
+  program->SetUniform2i("rtwWarpSize", size);
+  const int n = this->Lights.Count;
+  if (n == 0 || !program->IsUniformUsed("rtwToLight"))
+  {
+    return;
+  }
+  const auto fours = [](const std::vector<float>& values) {
+    return reinterpret_cast<const float(*)[4]>(values.data());
+  };
+  program->SetUniformMatrix4x4v(
+    "rtwToLight", n, const_cast<float*>(this->Lights.ToLight.data()));
+  program->SetUniform4fv("rtwTowardsLight", n, fours(this->Lights.Towards));
+  program->SetUniform4fv("rtwCone", n, fours(this->Lights.Cone));
+  program->SetUniform3fv("rtwTolerance", n,
+    reinterpret_cast<const float(*)[3]>(this->Lights.Tolerance.data()));
+  program->SetUniform1fv("rtwAttenuation", n, this->Lights.Attenuation.data());
+}
+}

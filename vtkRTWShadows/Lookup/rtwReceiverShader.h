@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Puts our code into the shaders of VTK's mappers, and its parameters beside it.
+#ifndef rtwReceiverShader_h
+#define rtwReceiverShader_h
+
+#include "rtwLightFrame.h"
+#include "rtwView.h"
+#include "rtwWarpStage.h"
+
+#include <string>
+#include <vector>
+
+class vtkShaderProgram;
+
+namespace rtw
+{
+enum class Phase
+{
+  Picture,
+  LightPass,
+  ViewSamples,
+  Mask
+};
+
+/// What the code's shape depends on; everything else is a uniform.
+struct ReceiverShape
+{
+  WarpShape Warp{};
+  std::vector<int> Switched; ///< of each shadowing light, N of VTK's lightColorN
+  int Filter = 1;
+  int DepthTest = 0;
+
+  bool operator==(const ReceiverShape& other) const;
+};
+
+struct ReceiverSources
+{
+  std::string& Vertex;
+  std::string& Geometry;
+  std::string& Fragment;
+};
+
+/// Before VTK puts its own code in: marks the places that are gone afterwards.
+void MarkPlaces(std::string& fragment);
+/// After it: fills them.
+void InjectReceiver(ReceiverSources sources, const ReceiverShape& shape);
+
+/// Each light's parameters, as arrays of floats.
+struct ReceiverLights
+{
+  std::vector<float> ToLight, Towards, Cone, Tolerance, Attenuation;
+  int Count = 0;
+
+  static ReceiverLights Make(
+    const std::vector<LightFrame>& frames, const View& view, double bias, double size);
+};
+
+struct ReceiverUniforms
+{
+  Phase CurrentPhase = Phase::Picture;
+  int Layer = 0;
+  bool LightParallel = false;
+  int WarpUnit = 0, DepthUnit = 0, GradientUnit = 0;
+  int Cells = 1, Resolution = 1;
+  ReceiverLights Lights;
+
+  void Set(vtkShaderProgram* program) const;
+};
+}
+
+#endif

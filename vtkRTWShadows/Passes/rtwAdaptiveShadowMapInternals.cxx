@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rtwAdaptiveShadowMapInternals.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkProp.h"
+#include "vtkShadowMapWarp.h"
+#include "vtkTextureUnitManager.h"
+
+#include <utility>
+
+bool vtkAdaptiveShadowMapPass::Internals::MakeCurrent()
+{
+  if (!this->Window)
+  {
+    return false;
+  }
+  this->Window->MakeCurrent();
+  return this->Window->IsCurrent();
+}
+
+void vtkAdaptiveShadowMapPass::Internals::UseWarp(vtkShadowMapWarp* warp)
+{
+  if (this->Warp != warp)
+  {
+    // The old stage asks the old warp for its settings, so the stage goes first.
+    this->Pipeline.SetWarp(warp->MakeStage());
+    this->Warp = warp;
+  }
+}
+
+std::uint64_t vtkAdaptiveShadowMapPass::Internals::Sign(vtkMTimeType warpTime) const
+{
+  const rtw::PipelineOptions& o = this->Options;
+  std::uint64_t signature = rtw::Mix(std::uint64_t(1), std::uint64_t(warpTime));
+  signature = rtw::Mix(signature, std::uint64_t(o.Resolution));
+  signature = rtw::Mix(signature, std::uint64_t(o.ViewSampleStride));
+  return rtw::Mix(signature,
+    std::uint64_t(o.FocusOnView) | std::uint64_t(o.Casters.Cull) << 1 |
+      std::uint64_t(o.Casters.Exact) << 2);
+}
+
+vtkAdaptiveShadowMapPass::Internals::Attachment::Attachment(Internals& internals, vtkAdaptiveShadowMapPass* pass,
+  std::vector<vtkProp*> props, rtw::Phase phase, int layer)
+  : My(internals)
+  , Pass(pass)
+  , Props(std::move(props))
+{
+  vtkTextureUnitManager* manager = this->My.Window->GetTextureUnitManager();
+  while (this->Units.size() < 3)
+  {
+    const int unit = manager->Allocate();
+    if (unit < 0)
+    {
+      return;
+    }
+    this->Units.push_back(unit);
+  }
+  this->My.Uniforms = this->My.Pipeline.MakeUniforms(this->My.Options);
+  rtw::ReceiverUniforms& uniforms = this->My.Uniforms;
+  uniforms.CurrentPhase = phase;
+  uniforms.Layer = layer;
+  uniforms.LightParallel =
+    this->My.Pipeline.GetFrames()[layer].Light.Kind == rtw::LightKind::Directional;
+  uniforms.WarpUnit = this->Units[0];
+  uniforms.DepthUnit = this->Units[1];
+  uniforms.GradientUnit = this->Units[2];
+  this->My.Pipeline.BindTextures(uniforms, phase != rtw::Phase::LightPass);
+  for (vtkProp* prop : this->Props)
+  {
+    vtkInformation* keys = prop->GetPropertyKeys();
+    if (!keys)
+    {
+      keys = vtkInformation::New();
+      prop->SetPropertyKeys(keys);
+      keys->FastDelete();
+    }
+    keys->Append(vtkOpenGLRenderPass::RenderPasses(), this->Pass);
+  }
+}
+
+vtkAdaptiveShadowMapPass::Internals::Attachment::~Attachment()
+{
+  vtkTextureUnitManager* manager = this->My.Window->GetTextureUnitManager();
+  if (this->IsComplete())
+  {
+    this->My.Pipeline.UnbindTextures(this->My.Uniforms);
+    for (vtkProp* prop : this->Props)
+    {
+      vtkInformation* keys = prop->GetPropertyKeys();
+      keys->Remove(vtkOpenGLRenderPass::RenderPasses(), this->Pass);
+      if (keys->Length(vtkOpenGLRenderPass::RenderPasses()) == 0)
+      {
+        keys->Remove(vtkOpenGLRenderPass::RenderPasses());
+      }
+    }
+  }
+  for (const int unit : this->Units)
+  {
+    manager->Free(unit);
+  }
+}

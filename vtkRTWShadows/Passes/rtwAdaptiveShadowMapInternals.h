@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a vtkAdaptiveShadowMapPass keeps from its users.
+#ifndef rtwAdaptiveShadowMapInternals_h
+#define rtwAdaptiveShadowMapInternals_h
+
+#include "rtwImages.h"
+#include "rtwLightCollector.h"
+#include "rtwReceiverShader.h"
+#include "rtwFrameScene.h"
+#include "rtwShadowPipeline.h"
+
+#include "vtkAdaptiveShadowMapPass.h"
+#include "vtkImageData.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+#include "vtkWeakPointer.h"
+
+#include <vector>
+
+class vtkAdaptiveShadowMapPass::Internals
+{
+public:
+  rtw::ShadowPipeline Pipeline;
+  rtw::PipelineOptions Options;
+  rtw::ReceiverShape Shape;
+  rtw::ReceiverUniforms Uniforms;
+  rtw::LightCollection Lights;
+  rtw::FrameScene Scene;
+  rtw::MaskRenderer Mask;
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window;
+  vtkWeakPointer<vtkRenderer> Renderer; ///< that the last bake was for
+  vtkSmartPointer<vtkShadowMapWarp> Warp; ///< that the pipeline uses; kept alive for its stage
+  vtkSmartPointer<vtkImageData> MaskImage, MapImage, WarpImage;
+  bool WarnedOfContext = false;
+  bool WarnedOfPointLights = false;
+  bool WarnedOfBrokenLights = false;
+  bool WarnedOfResolution = false;
+  bool WarnedOfUnits = false;
+
+  bool Has(int light) const
+  {
+    return light >= 0 && light < static_cast<int>(this->Pipeline.GetFrames().size());
+  }
+  bool MakeCurrent();
+  void UseWarp(vtkShadowMapWarp* warp);
+  std::uint64_t Sign(vtkMTimeType warpTime) const;
+
+  /// While one lives, the mappers of those props draw with the pass's code, in that phase, and the maps are bound.
+  class Attachment
+  {
+  public:
+    Attachment(Internals& internals, vtkAdaptiveShadowMapPass* pass, std::vector<vtkProp*> props,
+      rtw::Phase phase, int layer);
+    ~Attachment();
+    Attachment(const Attachment&) = delete;
+    Attachment& operator=(const Attachment&) = delete;
+    /// False where no texture units were free; nothing is attached then.
+    bool IsComplete() const { return this->Units.size() == 3; }
+
+  private:
+    Internals& My;
+    vtkAdaptiveShadowMapPass* Pass;
+    std::vector<vtkProp*> Props;
+    std::vector<int> Units;
+  };
+};
+
+#endif

@@ -1,0 +1,328 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rtwShadowPipeline.h"
+
+#include "rtwStateGuard.h"
+
+#include "vtkOpenGLRenderWindow.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace rtw
+{
+ShadowPipeline::ShadowPipeline()
+  : Warp(std::make_unique<IdentityWarpStage>())
+  , Fallback(std::make_unique<IdentityWarpStage>())
+{
+}
+
+ShadowPipeline::~ShadowPipeline() = default;
+
+void ShadowPipeline::SetWarp(std::unique_ptr<WarpStage> warp)
+{
+  // The old one's handles go with the context; programs are few and small.
+  this->Warp->Abandon();
+  this->Warp = std::move(warp);
+  this->LastSignature = 0;
+  this->Stale = true;
+}
+
+WarpShape ShadowPipeline::GetShape() const
+{
+  return (this->OwnDrawing ? this->Warp : this->Fallback)->GetShape();
+}
+
+bool ShadowPipeline::SetContext(vtkOpenGLRenderWindow* window)
+{
+  if (!window)
+  {
+    return false;
+  }
+  const std::uint64_t time = window->GetContextCreationTime();
+  const bool same = this->Window == window && this->ContextTime == time;
+  if (same && !this->Stale)
+  {
+    return true;
+  }
+  if (!same)
+  {
+    this->Abandon();
+  }
+  this->Stale = false;
+  this->Window = window;
+  this->ContextTime = time;
+  this->LastSignature = 0;
+  this->Can = Capabilities::Query();
+  this->OwnDrawing = this->Build();
+  return true;
+}
+
+bool ShadowPipeline::Build()
+{
+  if (!this->Can.Compute)
+  {
+    this->Problem = "OpenGL " + std::to_string(this->Can.Major) + "." +
+      std::to_string(this->Can.Minor) + " has no compute shaders (4.3 has)";
+    return false;
+  }
+  const bool built = this->Sampler.Build() && this->Focus.Build() && this->Warp->Build() &&
+    this->Casters.Build(this->Warp->GetShape());
+  this->Problem = built ? std::string()
+                        : "the driver refused a shader: " + this->Sampler.GetLog() +
+      this->Focus.GetLog() + this->Warp->GetLog() + this->Casters.GetLog();
+  return built;
+}
+
+void ShadowPipeline::MakeFrames(const FrameScene& scene, const std::vector<ShadowLight>& lights)
+{
+  this->Frames.clear();
+  this->SceneSize = glm::length(scene.High - scene.Low);
+  for (const ShadowLight& light : lights)
+  {
+    this->Frames.push_back(MakeLightFrame(light, scene.Low, scene.High, this->Viewed.Eye));
+  }
+}
+
+std::vector<Rectangle> ShadowPipeline::UnsampledReceivers(const FrameScene& scene) const
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::vector<Rectangle> result;
+  for (const LightFrame& frame : this->Frames)
+  {
+    Rectangle bounds{ glm::dvec2(infinity), glm::dvec2(-infinity) };
+    for (std::size_t i = 0; i + 1 < scene.UnsampledReceivers.size(); i += 2)
+    {
+      const glm::dvec3 ends[] = { scene.UnsampledReceivers[i], scene.UnsampledReceivers[i + 1] };
+      for (int corner = 0; corner < 8; ++corner)
+      {
+        const glm::dvec2 l = frame.Project(
+          { ends[corner & 1].x, ends[corner >> 1 & 1].y, ends[corner >> 2].z });
+        // Behind a spot: no light falls there, but the box may reach anywhere.
+        bounds.Low = glm::min(bounds.Low, l.x < infinity ? l : frame.Bounds.Low);
+        bounds.High = glm::max(bounds.High, l.x < infinity ? l : frame.Bounds.High);
+      }
+    }
+    bounds.Low = glm::max(bounds.Low, frame.Bounds.Low);
+    bounds.High = glm::min(bounds.High, frame.Bounds.High);
+    result.push_back(bounds);
+  }
+  return result;
+}
+
+bool ShadowPipeline::NeedsViewSamples(const PipelineOptions& options) const
+{
+  return this->OwnDrawing && (options.FocusOnView || this->Warp->NeedsViewSamples());
+}
+
+// From view samples to a filled warp table.
+void ShadowPipeline::Analyse(const FrameScene& scene, const PipelineOptions& options)
+{
+  if (options.FocusOnView && this->OwnDrawing)
+  {
+    StageTimers::Scope timer(this->Timers, "focus");
+    this->Focus.Reduce(this->Frames, this->UnsampledReceivers(scene), this->Sampler, this->Table);
+  }
+  else
+  {
+    for (std::size_t layer = 0; layer < this->Frames.size(); ++layer)
+    {
+      this->Table.WriteFocus(static_cast<int>(layer), this->Frames[layer].Bounds);
+    }
+  }
+  if (this->OwnDrawing)
+  {
+    StageTimers::Scope timer(this->Timers, "warp");
+    this->Warp->Run(this->Frames, this->Sampler, this->Table);
+  }
+}
+
+// Of all that the layers depend on; never 0.
+std::uint64_t ShadowPipeline::Sign(const FrameScene& scene, const PipelineOptions& options) const
+{
+  std::uint64_t signature = Mix(scene.Signature, options.Signature);
+  for (const LightFrame& frame : this->Frames)
+  {
+    signature = Mix(signature, frame.WorldToLight);
+    signature = Mix(signature, frame.Light.ConeAngle);
+    signature = Mix(signature, std::uint64_t(frame.Light.Kind));
+  }
+  signature = Mix(signature, std::uint64_t(this->Viewed.Width));
+  signature = Mix(signature, std::uint64_t(this->Viewed.Height));
+  return Mix(Mix(signature, this->Viewed.WorldToView), this->Viewed.ViewToClip) | 1;
+}
+
+bool ShadowPipeline::Update(const View& view, const FrameScene& scene,
+  const std::vector<ShadowLight>& lights, const PipelineOptions& options,
+  const MapperDrawing& mappers)
+{
+  this->Viewed = view;
+  this->Counted.Lights = static_cast<int>(lights.size());
+  this->Counted.LayersDrawn = this->Counted.LayersReused = 0;
+  if (!view.IsUsable() || lights.empty() || scene.IsEmpty() || !scene.HasBounds)
+  {
+    this->Frames.clear();
+    this->LastSignature = 0;
+    return false;
+  }
+  this->MakeFrames(scene, lights);
+  const std::uint64_t signature = this->Sign(scene, options);
+  if (options.Caching && signature == this->LastSignature)
+  {
+    this->Counted.LayersReused = static_cast<int>(this->Frames.size());
+    return true;
+  }
+  this->LastSignature = signature;
+  this->Counted.LayersDrawn = static_cast<int>(this->Frames.size());
+  this->Draw(scene, options, mappers);
+  return true;
+}
+
+void ShadowPipeline::Draw(
+  const FrameScene& scene, const PipelineOptions& options, const MapperDrawing& mappers)
+{
+  const int layers = static_cast<int>(this->Frames.size());
+  this->Timers.NextFrame();
+  StateGuard guard(this->Window);
+  this->Layers.Allocate(options.Resolution, layers);
+  this->Table.Allocate(
+    (this->OwnDrawing ? this->Warp : this->Fallback)->GetCells(), options.Resolution, layers);
+  if (this->OwnDrawing)
+  {
+    StageTimers::Scope timer(this->Timers, "geometry");
+    this->Store.Update(scene.Parts);
+  }
+  if (this->NeedsViewSamples(options))
+  {
+    this->DrawViewSamples(guard, scene, options, mappers);
+  }
+  this->Analyse(scene, options);
+  for (int layer = 0; layer < layers; ++layer)
+  {
+    this->DrawLayer(guard, layer, scene, options, mappers);
+  }
+  this->Counted.ShadowMemory = static_cast<std::int64_t>(
+    this->Layers.GetMemory() + this->Table.GetMemory() + this->Sampler.GetMemory());
+}
+
+void ShadowPipeline::DrawViewSamples(StateGuard& guard, const FrameScene& scene,
+  const PipelineOptions& options, const MapperDrawing& mappers)
+{
+  StageTimers::Scope timer(this->Timers, "view samples");
+  this->Sampler.Render(this->Viewed, this->Store, options.ViewSampleStride);
+  const bool others = std::any_of(scene.Props.begin(), scene.Props.end(),
+    [](const SceneProp& prop) { return prop.Receives; });
+  if (others && this->Sampler.BindTarget())
+  {
+    guard.DrawWithVTK(mappers.ViewSamples);
+  }
+}
+
+void ShadowPipeline::DrawLayer(StateGuard& guard, int layer, const FrameScene& scene,
+  const PipelineOptions& options, const MapperDrawing& mappers)
+{
+  const LightFrame& frame = this->Frames[layer];
+  if (this->OwnDrawing)
+  {
+    StageTimers::Scope timer(this->Timers, "culling");
+    this->Casters.StartLayer(layer);
+    this->Casters.Cull(this->Store, this->Table, frame, layer, options.Casters);
+  }
+  StageTimers::Scope timer(this->Timers, "light pass");
+  StateGuard::PrepareDepthDrawing(this->Can.DepthClamp);
+  if (!this->Layers.BindTarget(layer))
+  {
+    return;
+  }
+  if (this->OwnDrawing)
+  {
+    this->Casters.Draw(this->Store, this->Table, frame, layer);
+  }
+  if (std::any_of(scene.Props.begin(), scene.Props.end(),
+        [](const SceneProp& prop) { return prop.Casts; }))
+  {
+    guard.DrawWithVTK([&] { mappers.Casters(layer, frame); });
+  }
+}
+
+ReceiverUniforms ShadowPipeline::MakeUniforms(const PipelineOptions& options) const
+{
+  ReceiverUniforms uniforms;
+  uniforms.Cells = this->Table.GetCells();
+  uniforms.Resolution = this->Table.GetResolution();
+  uniforms.Lights =
+    ReceiverLights::Make(this->Frames, this->Viewed, options.Bias, this->SceneSize);
+  return uniforms;
+}
+
+void ShadowPipeline::BindTextures(const ReceiverUniforms& units, bool maps) const
+{
+  this->Table.GetTexture().Bind(units.WarpUnit);
+  if (maps)
+  {
+    this->Layers.GetDepths().Bind(units.DepthUnit);
+    this->Layers.GetGradients().Bind(units.GradientUnit);
+  }
+}
+
+void ShadowPipeline::UnbindTextures(const ReceiverUniforms& units) const
+{
+  this->Table.GetTexture().Unbind(units.WarpUnit);
+  this->Layers.GetDepths().Unbind(units.DepthUnit);
+  this->Layers.GetGradients().Unbind(units.GradientUnit);
+}
+
+int ShadowPipeline::ClampResolution(unsigned int resolution) const
+{
+  return static_cast<int>(
+    std::min<unsigned int>(resolution, static_cast<unsigned int>(this->Can.MaximumTextureSize)));
+}
+
+glm::dvec2 ShadowPipeline::ReadMaximumEffectiveResolution(int layer) const
+{
+  if (layer < 0 || layer >= static_cast<int>(this->Frames.size()))
+  {
+    return glm::dvec2(0);
+  }
+  const std::vector<float> table = this->Table.Read();
+  const std::size_t row = 2 * std::size_t(this->Table.GetTexture().GetWidth());
+  const std::size_t scale = WarpTable::RowsPerLayer * layer * row + 2 * this->Table.GetCells() + 1;
+  const Rectangle& whole = this->Frames[layer].Bounds;
+  const glm::dvec2 share = (whole.High - whole.Low) * glm::dvec2(table[scale], table[scale + row]);
+  const WarpStage& warp = this->OwnDrawing ? *this->Warp : *this->Fallback;
+  return share * warp.ReadGreatestDensity(layer) * double(this->Table.GetResolution());
+}
+
+void ShadowPipeline::Abandon()
+{
+  this->Warp->Abandon();
+  this->Store.Abandon();
+  this->Sampler.Abandon();
+  this->Focus.Abandon();
+  this->Casters.Abandon();
+  this->Layers.Abandon();
+  this->Table.Abandon();
+  this->Timers.Abandon();
+  this->Frames.clear();
+  this->LastSignature = 0;
+}
+
+void ShadowPipeline::Release(vtkOpenGLRenderWindow* window)
+{
+  if (!this->Window || this->Window != window)
+  {
+    return;
+  }
+  window->MakeCurrent();
+  this->Warp->Release();
+  this->Store.Release();
+  this->Sampler.Release();
+  this->Focus.Release();
+  this->Casters.Release();
+  this->Layers.Release();
+  this->Table.Release();
+  this->Timers.Release();
+  this->Abandon();
+  this->Window = nullptr;
+  this->ContextTime = 0;
+}
+}

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One way through the house: view samples, light frames, focus, warp, light pass. Owns each stage's GPU resources.
+#ifndef rtwShadowPipeline_h
+#define rtwShadowPipeline_h
+
+#include "rtwCapabilities.h"
+#include "rtwCasterDrawing.h"
+#include "rtwDenseLayers.h"
+#include "rtwFocus.h"
+#include "rtwGeometryStore.h"
+#include "rtwReceiverShader.h"
+#include "rtwFrameScene.h"
+#include "rtwStageTimers.h"
+#include "rtwStatistics.h"
+#include "rtwView.h"
+#include "rtwViewSampler.h"
+#include "rtwWarpStage.h"
+#include "rtwWarpTable.h"
+
+#include "vtkWeakPointer.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkOpenGLRenderWindow;
+
+namespace rtw
+{
+class StateGuard;
+
+struct PipelineOptions
+{
+  int Resolution = 1024;
+  int ViewSampleStride = 2;
+  bool FocusOnView = true;
+  bool Caching = true;
+  CasterOptions Casters;
+  double Bias = 0;
+  std::uint64_t Signature = 0; ///< of all settings, the warp's among them
+};
+
+/// What only VTK's mappers can draw, drawn into the target that is bound.
+struct MapperDrawing
+{
+  std::function<void()> ViewSamples;
+  std::function<void(int layer, const LightFrame& frame)> Casters;
+};
+
+class ShadowPipeline
+{
+public:
+  ShadowPipeline();
+  ~ShadowPipeline();
+  ShadowPipeline(const ShadowPipeline&) = delete;
+  ShadowPipeline& operator=(const ShadowPipeline&) = delete;
+
+  /// Uses that warp from now on.
+  void SetWarp(std::unique_ptr<WarpStage> warp);
+  /// Takes note of the window's context; all that belonged to another is forgotten. False where nothing can be drawn.
+  bool SetContext(vtkOpenGLRenderWindow* window);
+  /// Whether the context can analyse the view and draw casters by our own programs. Where not, why is in GetProblem().
+  bool HasOwnDrawing() const { return this->OwnDrawing; }
+  const std::string& GetProblem() const { return this->Problem; }
+
+  /// Brings all layers up to date. False where there is nothing to be shadowed.
+  bool Update(const View& view, const FrameScene& scene, const std::vector<ShadowLight>& lights,
+    const PipelineOptions& options, const MapperDrawing& mappers);
+
+  const std::vector<LightFrame>& GetFrames() const { return this->Frames; }
+  const View& GetView() const { return this->Viewed; }
+  const DenseLayers& GetLayers() const { return this->Layers; }
+  const WarpTable& GetTable() const { return this->Table; }
+  WarpShape GetShape() const;
+  /// What a receiver's shaders need to know.
+  ReceiverUniforms MakeUniforms(const PipelineOptions& options) const;
+  /// Binds the table, and the maps unless they are drawn into, to three texture units.
+  void BindTextures(const ReceiverUniforms& units, bool maps) const;
+  void UnbindTextures(const ReceiverUniforms& units) const;
+  /// To the largest map that the GPU allows.
+  int ClampResolution(unsigned int resolution) const;
+  StageTimers& GetTimers() { return this->Timers; }
+  const Statistics& GetStatistics() const { return this->Counted; }
+  CasterCounts ReadCasterCounts(int layer) const { return this->Casters.ReadCounts(layer); }
+  /// Texels a side along s and t. Waits for the GPU.
+  glm::dvec2 ReadMaximumEffectiveResolution(int layer) const;
+  void Release(vtkOpenGLRenderWindow* window);
+
+private:
+  bool Build();
+  void Abandon();
+  void MakeFrames(const FrameScene& scene, const std::vector<ShadowLight>& lights);
+  std::vector<Rectangle> UnsampledReceivers(const FrameScene& scene) const;
+  std::uint64_t Sign(const FrameScene& scene, const PipelineOptions& options) const;
+  void Draw(const FrameScene& scene, const PipelineOptions& options, const MapperDrawing& mappers);
+  void DrawViewSamples(StateGuard& guard, const FrameScene& scene, const PipelineOptions& options,
+    const MapperDrawing& mappers);
+  void Analyse(const FrameScene& scene, const PipelineOptions& options);
+  void DrawLayer(StateGuard& guard, int layer, const FrameScene& scene, const PipelineOptions& options,
+    const MapperDrawing& mappers);
+  bool NeedsViewSamples(const PipelineOptions& options) const;
+
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window;
+  std::uint64_t ContextTime = 0;
+  bool Stale = true; ///< whether programs have to be built
+  Capabilities Can;
+  bool OwnDrawing = false;
+  std::string Problem;
+  std::unique_ptr<WarpStage> Warp, Fallback;
+  GeometryStore Store;
+  ViewSampler Sampler;
+  FocusStage Focus;
+  CasterDrawing Casters;
+  DenseLayers Layers;
+  WarpTable Table;
+  StageTimers Timers;
+  Statistics Counted;
+  View Viewed;
+  std::vector<LightFrame> Frames;
+  double SceneSize = 0;
+  std::uint64_t LastSignature = 0;
+};
+}
+
+#endif

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkAdaptiveShadowMapPass.h"
+
+#include "rtwAdaptiveShadowMapInternals.h"
+#include "rtwMapperDrawing.h"
+
+#include "vtkAdaptiveShadowMapBakerPass.h"
+#include "vtkIdentityShadowMapWarp.h"
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkRenderState.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkShadowMapPartition.h"
+
+#include <algorithm>
+
+vtkStandardNewMacro(vtkAdaptiveShadowMapPass);
+vtkInformationKeyMacro(vtkAdaptiveShadowMapPass, CASTS_SHADOW, Integer);
+vtkInformationKeyMacro(vtkAdaptiveShadowMapPass, RECEIVES_SHADOW, Integer);
+
+vtkAdaptiveShadowMapPass::vtkAdaptiveShadowMapPass()
+  : Partition(vtkSmartPointer<vtkShadowMapPartition>::New())
+  , Warp(vtkSmartPointer<vtkIdentityShadowMapWarp>::New())
+  , Shadows(new Internals)
+{
+  vtkNew<vtkAdaptiveShadowMapBakerPass> baker;
+  this->SetShadowMapBakerPass(baker);
+  this->StageTime.Modified();
+}
+
+vtkAdaptiveShadowMapPass::~vtkAdaptiveShadowMapPass()
+{
+  if (this->Shadows->Window)
+  {
+    this->ReleaseGraphicsResources(this->Shadows->Window);
+  }
+}
+
+void vtkAdaptiveShadowMapPass::SetShadowMapBakerPass(vtkShadowMapBakerPass* baker)
+{
+  auto* ours = vtkAdaptiveShadowMapBakerPass::SafeDownCast(baker);
+  if (!ours || (ours->ShadowMapPass && ours->ShadowMapPass != this))
+  {
+    vtkErrorMacro("SetShadowMapBakerPass("
+      << (baker ? baker->GetClassName() : "null")
+      << "): expected a vtkAdaptiveShadowMapBakerPass that serves no other pass; keeping the one that is set");
+    return;
+  }
+  if (auto* old = vtkAdaptiveShadowMapBakerPass::SafeDownCast(this->ShadowMapBakerPass))
+  {
+    old->ShadowMapPass = nullptr;
+  }
+  this->Superclass::SetShadowMapBakerPass(ours);
+  ours->ShadowMapPass = this;
+}
+
+void vtkAdaptiveShadowMapPass::WarnOnce()
+{
+  Internals& my = *this->Shadows;
+  if (!my.Pipeline.HasOwnDrawing() && !my.WarnedOfContext)
+  {
+    my.WarnedOfContext = true;
+    vtkWarningMacro("draws conventional shadow maps of the whole scene, because "
+      << my.Pipeline.GetProblem() << "; a newer driver, or an OpenGL 4.3 context, gives all that was asked for");
+  }
+  if (my.Lights.Unsupported > 0 && !my.WarnedOfPointLights)
+  {
+    my.WarnedOfPointLights = true;
+    vtkWarningMacro(<< my.Lights.Unsupported
+                    << " positional light(s) with a cone of 90 degrees or more cast no shadows; make the cone narrower");
+  }
+  if (my.Lights.Broken > 0 && !my.WarnedOfBrokenLights)
+  {
+    my.WarnedOfBrokenLights = true;
+    vtkWarningMacro(<< my.Lights.Broken
+                    << " light(s) cast no shadows, because their position, focal point or cone is not a number, or the "
+                       "first two are the same point; set them apart");
+  }
+}
+
+void vtkAdaptiveShadowMapPass::Bake(vtkRenderer* renderer)
+{
+  Internals& my = *this->Shadows;
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  my.UseWarp(this->Warp);
+  if (!my.Pipeline.SetContext(window))
+  {
+    return;
+  }
+  my.Window = window;
+  my.Renderer = renderer;
+  renderer->UpdateLightsGeometryToFollowCamera();
+  my.Lights = rtw::CollectLights(renderer);
+  my.Scene = rtw::CollectScene(
+    renderer, { CASTS_SHADOW(), RECEIVES_SHADOW() }, my.Pipeline.HasOwnDrawing());
+  this->WarnOnce();
+
+  my.Options.Resolution = my.Pipeline.ClampResolution(this->GetResolution());
+  if (my.Options.Resolution < static_cast<int>(this->GetResolution()) && !my.WarnedOfResolution)
+  {
+    my.WarnedOfResolution = true;
+    vtkWarningMacro("Resolution " << this->GetResolution() << " is more than this GPU's largest texture; using "
+                                  << my.Options.Resolution);
+  }
+  my.Options.ViewSampleStride = this->ViewSampleStride;
+  my.Options.FocusOnView = this->FocusOnView;
+  my.Options.Caching = this->Caching;
+  my.Options.Casters = { this->CullCasters, this->Rasterization == EXACT };
+  my.Options.Bias = this->ConstantBias;
+  my.Options.Signature = my.Sign(this->Warp->GetMTime());
+
+  rtw::ReceiverShape shape{ my.Pipeline.GetShape(), {}, this->Filter, this->DepthTest };
+  for (const rtw::ShadowLight& light : my.Lights.Shadowing)
+  {
+    shape.Switched.push_back(light.Switched);
+  }
+  if (!(shape == my.Shape))
+  {
+    my.Shape = shape;
+    this->StageTime.Modified();
+  }
+  my.Pipeline.Update(rtw::ViewOf(renderer), my.Scene, my.Lights.Shadowing, my.Options,
+    { [this, renderer] { this->DrawViewSamples(renderer); },
+      [this, renderer](int layer, const rtw::LightFrame&) { this->DrawCasters(renderer, layer); } });
+}
+
+void vtkAdaptiveShadowMapPass::DrawCasters(vtkRenderer* renderer, int layer)
+{
+  Internals& my = *this->Shadows;
+  Internals::Attachment attachment(my, this, my.Scene.Shaded, rtw::Phase::LightPass, layer);
+  if (attachment.IsComplete())
+  {
+    rtw::DrawMapperCasters(renderer, my.Scene.Props, my.Pipeline.GetFrames()[layer]);
+  }
+}
+
+void vtkAdaptiveShadowMapPass::DrawViewSamples(vtkRenderer* renderer)
+{
+  Internals& my = *this->Shadows;
+  Internals::Attachment attachment(my, this, my.Scene.Shaded, rtw::Phase::ViewSamples, 0);
+  if (attachment.IsComplete())
+  {
+    rtw::DrawMapperReceivers(renderer, my.Scene.Props);
+  }
+}
+
+void vtkAdaptiveShadowMapPass::Render(const vtkRenderState* s)
+{
+  this->NumberOfRenderedProps = 0;
+  if (!this->OpaqueSequence)
+  {
+    vtkWarningMacro("has no OpaqueSequence and renders nothing; set one");
+    return;
+  }
+  this->RenderShadowed(s, this->OpaqueSequence);
+}
+
+void vtkAdaptiveShadowMapPass::RenderShadowed(const vtkRenderState* s, vtkRenderPass* delegate)
+{
+  Internals& my = *this->Shadows;
+  // Without a bake for this renderer there are no maps that fit.
+  if (my.Pipeline.GetFrames().empty() || my.Renderer != s->GetRenderer())
+  {
+    delegate->Render(s);
+  }
+  else
+  {
+    const std::vector<vtkProp*> props(
+      s->GetPropArray(), s->GetPropArray() + s->GetPropArrayCount());
+    Internals::Attachment attachment(my, this, props, rtw::Phase::Picture, 0);
+    if (!attachment.IsComplete() && !my.WarnedOfUnits)
+    {
+      my.WarnedOfUnits = true;
+      vtkWarningMacro("draws without shadows: no three texture units are free; use fewer textures at a time");
+    }
+    delegate->Render(s);
+  }
+  this->NumberOfRenderedProps += delegate->GetNumberOfRenderedProps();
+}
+
+bool vtkAdaptiveShadowMapPass::PreReplaceShaderValues(
+  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp*)
+{
+  if (vtkPolyDataMapper::SafeDownCast(mapper))
+  {
+    ++this->NumberOfShaderBuilds;
+    rtw::MarkPlaces(fragmentShader);
+  }
+  return true;
+}
+
+bool vtkAdaptiveShadowMapPass::PostReplaceShaderValues(std::string& vertexShader,
+  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp*)
+{
+  if (vtkPolyDataMapper::SafeDownCast(mapper))
+  {
+    rtw::InjectReceiver({ vertexShader, geometryShader, fragmentShader }, this->Shadows->Shape);
+  }
+  return true;
+}
+
+bool vtkAdaptiveShadowMapPass::SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper*,
+  vtkProp* prop, vtkOpenGLVertexArrayObject*)
+{
+  this->Shadows->Uniforms.Set(program);
+  vtkInformation* keys = prop ? prop->GetPropertyKeys() : nullptr;
+  const bool receives =
+    !keys || !keys->Has(RECEIVES_SHADOW()) || keys->Get(RECEIVES_SHADOW()) != 0;
+  program->SetUniformi("rtwReceives", receives ? 1 : 0);
+  return true;
+}
+
+vtkMTimeType vtkAdaptiveShadowMapPass::GetShaderStageMTime()
+{
+  return this->StageTime;
+}
+
+void vtkAdaptiveShadowMapPass::ReleaseGraphicsResources(vtkWindow* w)
+{
+  Internals& my = *this->Shadows;
+  if (auto* window = vtkOpenGLRenderWindow::SafeDownCast(w))
+  {
+    my.Pipeline.Release(window);
+    my.Mask.Release(window);
+  }
+  my.Window = nullptr;
+  if (this->OpaqueSequence)
+  {
+    this->OpaqueSequence->ReleaseGraphicsResources(w);
+  }
+}

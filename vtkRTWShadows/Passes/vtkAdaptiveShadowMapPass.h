@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkAdaptiveShadowMapPass
+ * @brief   hard shadows by shadow maps that adapt to the view
+ *
+ * A vtkShadowMapPass that takes VTK's place: in the classic chain of baker and pass, or, for a whole frame with translucency,
+ * volumes and overlays, in a vtkShadowRenderStepsPass. Directional lights and spots (cones below 90°) cast shadows; all
+ * other lights shine as usual.
+ *
+ * A technique is a point in a space of independent axes: how what a light shines on is divided into layers
+ * (SetPartition), and how the texels of a layer are spread (SetWarp). Subclasses are presets that name
+ * one. This class by itself has one layer without a warp.
+ *
+ * There is nothing to tune: Resolution is the one number that trades time and memory for accuracy.
+ *
+ * @sa vtkUniformShadowMapPass vtkRTWShadowMapPass vtkShadowRenderStepsPass
+ */
+#ifndef vtkAdaptiveShadowMapPass_h
+#define vtkAdaptiveShadowMapPass_h
+
+#include "vtkNew.h"                // for the partition
+#include "vtkRTWShadowsModule.h"   // for the export macro
+#include "vtkShadowMapPass.h"
+#include "vtkSmartPointer.h"       // for the axes
+#include "vtkTimeStamp.h"          // for the shader stage
+
+#include <memory> // for the internals
+#include <string> // for shader code
+
+class vtkAdaptiveShadowMapBakerPass;
+class vtkImageData;
+class vtkInformationIntegerKey;
+class vtkProp;
+class vtkRenderer;
+class vtkShadowMapPartition;
+class vtkShadowMapWarp;
+
+class VTKRTWSHADOWS_EXPORT vtkAdaptiveShadowMapPass : public vtkShadowMapPass
+{
+public:
+  static vtkAdaptiveShadowMapPass* New();
+  vtkTypeMacro(vtkAdaptiveShadowMapPass, vtkShadowMapPass);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * How the decisions of neighbouring texels become one.
+   */
+  enum Filters
+  {
+    NEAREST = 0, ///< the texel that the receiver falls on
+    BILINEAR = 1 ///< the four nearest, weighted by distance
+  };
+
+  /**
+   * How a receiver's depth is compared with a texel's.
+   */
+  enum DepthTests
+  {
+    DUAL = 0,           ///< against the receiver's tangent plane and the occluder's: nothing to tune
+    RECEIVER_PLANE = 1, ///< against the receiver's tangent plane: curved surfaces speckle
+    CONSTANT_BIAS = 2   ///< the usual one: ConstantBias is taken off the receiver's depth
+  };
+
+  /**
+   * What becomes of triangle edges that a warp bends.
+   */
+  enum Rasterizations
+  {
+    LINEAR = 0, ///< vertices are warped, edges stay straight: good for small triangles only
+    EXACT = 2   ///< each fragment decides on the unwarped light plane; straight triangles take the plain way
+  };
+
+  ///@{
+  /**
+   * Texels a side of each layer. 1 to what the GPU allows (usually 16384); what is beyond that is clamped to it,
+   * with a warning, when it is first drawn. 0 is refused. Default: 1024.
+   */
+  virtual void SetResolution(unsigned int resolution);
+  virtual unsigned int GetResolution();
+  ///@}
+
+  ///@{
+  /**
+   * Whether each layer is fitted to what the camera sees in the light, the desired view (Rosen 2012, section 5.1), found by
+   * reduction on the GPU, instead of to the whole scene or the whole cone of a spot. Casters outside the view are kept
+   * either way. Default: on.
+   */
+  vtkSetMacro(FocusOnView, bool);
+  vtkGetMacro(FocusOnView, bool);
+  vtkBooleanMacro(FocusOnView, bool);
+  ///@}
+
+  ///@{
+  /**
+   * One of Filters; any other value is refused with an error. Default: BILINEAR.
+   */
+  virtual void SetFilter(int filter);
+  vtkGetMacro(Filter, int);
+  void SetFilterToNearest() { this->SetFilter(NEAREST); }
+  void SetFilterToBilinear() { this->SetFilter(BILINEAR); }
+  ///@}
+
+  ///@{
+  /**
+   * One of DepthTests; any other value is refused with an error. Default: DUAL.
+   */
+  virtual void SetDepthTest(int test);
+  vtkGetMacro(DepthTest, int);
+  void SetDepthTestToDual() { this->SetDepthTest(DUAL); }
+  void SetDepthTestToReceiverPlane() { this->SetDepthTest(RECEIVER_PLANE); }
+  void SetDepthTestToConstantBias() { this->SetDepthTest(CONSTANT_BIAS); }
+  ///@}
+
+  ///@{
+  /**
+   * What the CONSTANT_BIAS test takes off, as a share of the scene's diagonal along the light; the other tests don't use it.
+   * Clamped to 0 to 1; what is not a number is refused. Default: 0.002.
+   */
+  virtual void SetConstantBias(double share);
+  vtkGetMacro(ConstantBias, double);
+  ///@}
+
+  ///@{
+  /**
+   * One of Rasterizations; any other value is refused with an error. What VTK's own mappers have to draw (glyphs,
+   * imposters, cut-outs, clipped meshes) is drawn LINEAR whatever this says. Default: EXACT.
+   */
+  virtual void SetRasterization(int rasterization);
+  vtkGetMacro(Rasterization, int);
+  void SetRasterizationToLinear() { this->SetRasterization(LINEAR); }
+  void SetRasterizationToExact() { this->SetRasterization(EXACT); }
+  ///@}
+
+  ///@{
+  /**
+   * Every how many pixels, along both axes, the view is sampled for focus and importance. Clamped to 1 to 64. Default: 2.
+   */
+  vtkSetClampMacro(ViewSampleStride, int, 1, 64);
+  vtkGetMacro(ViewSampleStride, int);
+  ///@}
+
+  ///@{
+  /**
+   * Whether layers are kept while nothing that they depend on changes. Default: on.
+   */
+  vtkSetMacro(Caching, bool);
+  vtkGetMacro(Caching, bool);
+  vtkBooleanMacro(Caching, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether casters are left out of a layer that they can't reach. The picture is the same. Default: on.
+   */
+  vtkSetMacro(CullCasters, bool);
+  vtkGetMacro(CullCasters, bool);
+  vtkBooleanMacro(CullCasters, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The two axes of a technique. Neither may be null: that is refused with an error. Defaults: a vtkShadowMapPartition of
+   * one layer and a vtkIdentityShadowMapWarp; presets set their own.
+   */
+  virtual void SetPartition(vtkShadowMapPartition* partition);
+  virtual vtkShadowMapPartition* GetPartition();
+  virtual void SetWarp(vtkShadowMapWarp* warp);
+  virtual vtkShadowMapWarp* GetWarp();
+  ///@}
+
+  ///@{
+  /**
+   * Per prop, in its property keys: whether it casts and whether it receives shadows. 0 or 1; where a prop has no
+   * such key it does both.
+   */
+  static vtkInformationIntegerKey* CASTS_SHADOW();
+  static vtkInformationIntegerKey* RECEIVES_SHADOW();
+  ///@}
+
+  ///@{
+  /**
+   * Of the last frame: lights with shadows; lights that are on and need none, because they are black, shine from the eye, or
+   * their shadows weigh nothing; layers drawn, and layers kept because nothing had changed.
+   */
+  int GetNumberOfShadowLights();
+  int GetNumberOfLightsSkipped();
+  int GetNumberOfLayersDrawn();
+  int GetNumberOfLayersReused();
+  ///@}
+
+  ///@{
+  /**
+   * Of the last frame in which a light's layer was drawn: clusters of triangles that were drawn into it, and that were left out
+   * because they can't reach what it holds. Waits for the GPU. 0 for a light that there isn't.
+   */
+  int GetNumberOfCastersDrawn(int light);
+  int GetNumberOfCastersCulled(int light);
+  ///@}
+
+  /**
+   * Bytes of GPU memory that shadow maps, warping maps and view samples take.
+   */
+  vtkTypeInt64 GetShadowMemory();
+
+  /**
+   * How often a mapper built a shader with this pass's code since it was made. A steady frame builds none.
+   */
+  vtkGetMacro(NumberOfShaderBuilds, int);
+
+  /**
+   * Texels that a side of a conventional map of everything a light shines on needs to be as fine as this one at its finest
+   * (Rosen 2012, section 6): along s (axis 0) or t (1). 0 for a light or axis that there isn't. Waits for the GPU.
+   */
+  double GetMaximumEffectiveResolution(int light, int axis);
+
+  ///@{
+  /**
+   * Whether the GPU's time is taken, stage by stage; results are two frames old. Default: off.
+   */
+  void SetTimeStages(bool time);
+  bool GetTimeStages();
+  int GetNumberOfStages();
+  const char* GetStageName(int stage); ///< null for a stage that there isn't
+  double GetStageMilliseconds(int stage);
+  ///@}
+
+  /**
+   * The shadow of a light, by its number among those with shadows, on each pixel of the last frame: 0 to 127 in
+   * shadow, 129 to 255 lit, 128 where nothing opaque is, or what is there is turned away from the light or out of its reach.
+   * The image is made anew for each call and belongs to the pass. Null before the first frame or for a light that
+   * there isn't. Draws the opaque props once more.
+   */
+  vtkImageData* GetShadowMask(int light);
+
+  /**
+   * A light's shadow map, as depths of one float from 0, the near end of the scene, to 1. Null and lifetime as for
+   * GetShadowMask.
+   */
+  vtkImageData* GetShadowMapImage(int light, int layer = 0);
+
+  /**
+   * A light's warping maps: a row of values at the borders of the cells along s, one along t. Null and lifetime as for
+   * GetShadowMask.
+   */
+  vtkImageData* GetWarpImage(int light, int layer = 0);
+
+  /**
+   * The baker has to be a vtkAdaptiveShadowMapBakerPass of no other pass; anything else is refused with an error.
+   */
+  void SetShadowMapBakerPass(vtkShadowMapBakerPass* baker) override;
+
+  /**
+   * Renders the opaque sequence with the shadows that the baker has prepared.
+   */
+  void Render(const vtkRenderState* s) override;
+
+  /**
+   * Renders another pass with those shadows on all props of the state.
+   */
+  void RenderShadowed(const vtkRenderState* s, vtkRenderPass* delegate);
+
+  void ReleaseGraphicsResources(vtkWindow* w) override;
+
+  bool PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
+    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
+  bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
+    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
+  bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
+    vtkOpenGLVertexArrayObject* VAO = nullptr) override;
+  vtkMTimeType GetShaderStageMTime() override;
+
+protected:
+  vtkAdaptiveShadowMapPass();
+  ~vtkAdaptiveShadowMapPass() override;
+
+  bool FocusOnView = true;
+  int Filter = BILINEAR;
+  int DepthTest = DUAL;
+  double ConstantBias = 0.002;
+  int Rasterization = EXACT;
+  int ViewSampleStride = 2;
+  bool Caching = true;
+  bool CullCasters = true;
+  int NumberOfShaderBuilds = 0;
+  vtkSmartPointer<vtkShadowMapPartition> Partition;
+  vtkSmartPointer<vtkShadowMapWarp> Warp;
+
+private:
+  vtkAdaptiveShadowMapPass(const vtkAdaptiveShadowMapPass&) = delete;
+  void operator=(const vtkAdaptiveShadowMapPass&) = delete;
+
+  friend class vtkAdaptiveShadowMapBakerPass;
+  class Internals;
+
+  bool Choose(int& member, int value, bool valid, const char* property, const char* choices);
+  void Bake(vtkRenderer* renderer);
+  void WarnOnce();
+  void DrawCasters(vtkRenderer* renderer, int layer);
+  void DrawViewSamples(vtkRenderer* renderer);
+
+  std::unique_ptr<Internals> Shadows;
+  vtkTimeStamp StageTime;
+};
+
+#endif

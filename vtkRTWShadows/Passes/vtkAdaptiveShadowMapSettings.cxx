@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The properties and statistics of vtkAdaptiveShadowMapPass.
+#include "vtkAdaptiveShadowMapPass.h"
+
+#include "rtwAdaptiveShadowMapInternals.h"
+
+#include "vtkAdaptiveShadowMapBakerPass.h"
+#include "vtkImageData.h"
+#include "vtkShadowMapPartition.h"
+#include "vtkShadowMapWarp.h"
+
+#include <algorithm>
+#include <cmath>
+
+void vtkAdaptiveShadowMapPass::SetResolution(unsigned int resolution)
+{
+  this->ShadowMapBakerPass->SetResolution(resolution);
+}
+
+unsigned int vtkAdaptiveShadowMapPass::GetResolution()
+{
+  return this->ShadowMapBakerPass->GetResolution();
+}
+
+bool vtkAdaptiveShadowMapPass::Choose(
+  int& member, int value, bool valid, const char* property, const char* choices)
+{
+  if (!valid)
+  {
+    vtkErrorMacro("Set" << property << "(" << value << "): expected " << choices << "; keeping "
+                        << member);
+    return false;
+  }
+  if (member != value)
+  {
+    member = value;
+    this->Modified();
+  }
+  return true;
+}
+
+void vtkAdaptiveShadowMapPass::SetFilter(int filter)
+{
+  this->Choose(this->Filter, filter, filter == NEAREST || filter == BILINEAR, "Filter",
+    "NEAREST (0) or BILINEAR (1)");
+}
+
+void vtkAdaptiveShadowMapPass::SetDepthTest(int test)
+{
+  this->Choose(this->DepthTest, test,
+    test == DUAL || test == RECEIVER_PLANE || test == CONSTANT_BIAS, "DepthTest",
+    "DUAL (0), RECEIVER_PLANE (1) or CONSTANT_BIAS (2)");
+}
+
+void vtkAdaptiveShadowMapPass::SetRasterization(int rasterization)
+{
+  this->Choose(this->Rasterization, rasterization,
+    rasterization == LINEAR || rasterization == EXACT, "Rasterization", "LINEAR (0) or EXACT (2)");
+}
+
+void vtkAdaptiveShadowMapPass::SetConstantBias(double share)
+{
+  if (!std::isfinite(share))
+  {
+    vtkErrorMacro("SetConstantBias(" << share << "): expected a number from 0 to 1; keeping "
+                                     << this->ConstantBias);
+    return;
+  }
+  share = std::clamp(share, 0.0, 1.0);
+  if (this->ConstantBias != share)
+  {
+    this->ConstantBias = share;
+    this->Modified();
+  }
+}
+
+void vtkAdaptiveShadowMapPass::SetPartition(vtkShadowMapPartition* partition)
+{
+  if (!partition)
+  {
+    vtkErrorMacro("SetPartition(null): expected a vtkShadowMapPartition; keeping the one that is set");
+    return;
+  }
+  if (this->Partition != partition)
+  {
+    this->Partition = partition;
+    this->Modified();
+  }
+}
+
+vtkShadowMapPartition* vtkAdaptiveShadowMapPass::GetPartition()
+{
+  return this->Partition;
+}
+
+void vtkAdaptiveShadowMapPass::SetWarp(vtkShadowMapWarp* warp)
+{
+  if (!warp)
+  {
+    vtkErrorMacro("SetWarp(null): expected a vtkShadowMapWarp; keeping the one that is set");
+    return;
+  }
+  if (this->Warp != warp)
+  {
+    this->Warp = warp;
+    this->Modified();
+  }
+}
+
+vtkShadowMapWarp* vtkAdaptiveShadowMapPass::GetWarp()
+{
+  return this->Warp;
+}
+
+int vtkAdaptiveShadowMapPass::GetNumberOfShadowLights()
+{
+  return static_cast<int>(this->Shadows->Pipeline.GetFrames().size());
+}
+
+int vtkAdaptiveShadowMapPass::GetNumberOfLightsSkipped()
+{
+  return this->Shadows->Lights.Skipped;
+}
+
+int vtkAdaptiveShadowMapPass::GetNumberOfLayersDrawn()
+{
+  return this->Shadows->Pipeline.GetStatistics().LayersDrawn;
+}
+
+int vtkAdaptiveShadowMapPass::GetNumberOfLayersReused()
+{
+  return this->Shadows->Pipeline.GetStatistics().LayersReused;
+}
+
+int vtkAdaptiveShadowMapPass::GetNumberOfCastersDrawn(int light)
+{
+  return this->Shadows->Has(light)
+    ? static_cast<int>(this->Shadows->Pipeline.ReadCasterCounts(light).Drawn)
+    : 0;
+}
+
+int vtkAdaptiveShadowMapPass::GetNumberOfCastersCulled(int light)
+{
+  return this->Shadows->Has(light)
+    ? static_cast<int>(this->Shadows->Pipeline.ReadCasterCounts(light).Culled)
+    : 0;
+}
+
+vtkTypeInt64 vtkAdaptiveShadowMapPass::GetShadowMemory()
+{
+  return this->Shadows->Pipeline.GetStatistics().ShadowMemory;
+}
+
+double vtkAdaptiveShadowMapPass::GetMaximumEffectiveResolution(int light, int axis)
+{
+  if (!this->Shadows->Has(light) || axis < 0 || axis > 1)
+  {
+    return 0;
+  }
+  return this->Shadows->Pipeline.ReadMaximumEffectiveResolution(light)[axis];
+}
+
+void vtkAdaptiveShadowMapPass::SetTimeStages(bool time)
+{
+  this->Shadows->Pipeline.GetTimers().SetEnabled(time);
+}
+
+bool vtkAdaptiveShadowMapPass::GetTimeStages()
+{
+  return this->Shadows->Pipeline.GetTimers().GetEnabled();
+}
+
+int vtkAdaptiveShadowMapPass::GetNumberOfStages()
+{
+  return this->Shadows->Pipeline.GetTimers().GetNumberOfStages();
+}
+
+const char* vtkAdaptiveShadowMapPass::GetStageName(int stage)
+{
+  const bool exists = stage >= 0 && stage < this->GetNumberOfStages();
+  return exists ? this->Shadows->Pipeline.GetTimers().GetName(stage) : nullptr;
+}
+
+double vtkAdaptiveShadowMapPass::GetStageMilliseconds(int stage)
+{
+  const bool exists = stage >= 0 && stage < this->GetNumberOfStages();
+  return exists ? this->Shadows->Pipeline.GetTimers().GetMilliseconds(stage) : 0;
+}
+
+vtkImageData* vtkAdaptiveShadowMapPass::GetShadowMask(int light)
+{
+  Internals& my = *this->Shadows;
+  my.MaskImage = nullptr;
+  if (my.Has(light) && my.Renderer)
+  {
+    Internals::Attachment attachment(my, this, my.Scene.Shaded, rtw::Phase::Mask, light);
+    if (attachment.IsComplete())
+    {
+      my.MaskImage = my.Mask.Render(my.Renderer, my.Pipeline.GetView());
+    }
+  }
+  return my.MaskImage;
+}
+
+vtkImageData* vtkAdaptiveShadowMapPass::GetShadowMapImage(int light, int layer)
+{
+  Internals& my = *this->Shadows;
+  my.MapImage = my.Has(light) && layer == 0 && my.MakeCurrent()
+    ? rtw::ReadShadowMap(my.Pipeline.GetLayers(), light)
+    : nullptr;
+  return my.MapImage;
+}
+
+vtkImageData* vtkAdaptiveShadowMapPass::GetWarpImage(int light, int layer)
+{
+  Internals& my = *this->Shadows;
+  my.WarpImage = my.Has(light) && layer == 0 && my.MakeCurrent()
+    ? rtw::ReadWarp(my.Pipeline.GetTable(), light)
+    : nullptr;
+  return my.WarpImage;
+}
+
+void vtkAdaptiveShadowMapPass::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Resolution: " << this->GetResolution() << "\n";
+  os << indent << "FocusOnView: " << this->FocusOnView << "\n";
+  os << indent << "Filter: " << this->Filter << "\n";
+  os << indent << "DepthTest: " << this->DepthTest << "\n";
+  os << indent << "ConstantBias: " << this->ConstantBias << "\n";
+  os << indent << "Rasterization: " << this->Rasterization << "\n";
+  os << indent << "ViewSampleStride: " << this->ViewSampleStride << "\n";
+  os << indent << "Caching: " << this->Caching << "\n";
+  os << indent << "CullCasters: " << this->CullCasters << "\n";
+  os << indent << "Partition:\n";
+  this->Partition->PrintSelf(os, indent.GetNextIndent());
+  os << indent << "Warp:\n";
+  this->Warp->PrintSelf(os, indent.GetNextIndent());
+}

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkShadowRenderStepsPass
+ * @brief   a whole frame with shadows: opaque, translucent, volumes, overlay, post-processing
+ *
+ * A vtkRenderStepsPass whose opaque and translucent steps receive the shadows of a vtkShadowMapPass, which the classic
+ * chain of baker and pass gives to opaque props alone:
+ *
+ *     vtkNew<vtkShadowRenderStepsPass> steps;
+ *     steps->SetShadowMapPass(shadows);
+ *     renderer->SetPass(steps);
+ *
+ * Each step can be replaced as in the superclass. A renderer that asks for depth peeling gets it, unless the translucent
+ * step was replaced.
+ */
+#ifndef vtkShadowRenderStepsPass_h
+#define vtkShadowRenderStepsPass_h
+
+#include "vtkNew.h"              // for ivars
+#include "vtkRTWShadowsModule.h" // for the export macro
+#include "vtkRenderStepsPass.h"
+#include "vtkSmartPointer.h" // for ivars
+
+class vtkDualDepthPeelingPass;
+class vtkShadowMapPass;
+class vtkShadowedStepPass;
+
+class VTKRTWSHADOWS_EXPORT vtkShadowRenderStepsPass : public vtkRenderStepsPass
+{
+public:
+  static vtkShadowRenderStepsPass* New();
+  vtkTypeMacro(vtkShadowRenderStepsPass, vtkRenderStepsPass);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Where the shadows come from: a vtkAdaptiveShadowMapPass or one of VTK's own vtkShadowMapPass, which shadows the opaque
+   * step only. Null is no shadows. Default: a vtkRTWShadowMapPass.
+   */
+  virtual void SetShadowMapPass(vtkShadowMapPass* pass);
+  virtual vtkShadowMapPass* GetShadowMapPass();
+  ///@}
+
+  void Render(const vtkRenderState* s) override;
+  void ReleaseGraphicsResources(vtkWindow* w) override;
+
+protected:
+  vtkShadowRenderStepsPass();
+  ~vtkShadowRenderStepsPass() override;
+
+private:
+  vtkShadowRenderStepsPass(const vtkShadowRenderStepsPass&) = delete;
+  void operator=(const vtkShadowRenderStepsPass&) = delete;
+
+  vtkRenderPass* ChooseTranslucentPass(const vtkRenderState* s);
+
+  vtkSmartPointer<vtkShadowMapPass> ShadowMapPass;
+  vtkNew<vtkShadowedStepPass> OpaqueStep;
+  vtkNew<vtkShadowedStepPass> TranslucentStep;
+  vtkNew<vtkDualDepthPeelingPass> DepthPeeling;
+};
+
+#endif

@@ -1,0 +1,194 @@
+// A warping map from a collapsed importance: blurred, kept above the floor, summed up and normalized (Rosen 2012,
+// section 4.2 and equation 1, which is that running sum), its inverse at the texels' centres, and the table of slopes.
+// One work group an axis and a layer.
+layout(local_size_x = 256) in;
+const int MOST_CELLS = 2048;
+const int GROUP = 256;
+
+layout(std430, binding = 0) buffer Profile
+{
+  uint rtwProfile[];
+};
+layout(std430, binding = 1) buffer Report
+{
+  float rtwReport[]; // a layer, an axis: the greatest slope, and the focus' extent
+};
+layout(rg32f, binding = 0) writeonly uniform image2D rtwTable;
+layout(rgba32f, binding = 1) uniform image2D rtwBends;
+uniform int rtwSquareRoot;
+uniform float rtwSigma; // in cells
+uniform float rtwFloor; // a share of the mean
+uniform int rtwLevels;
+shared float rtwValues[MOST_CELLS + 1];
+shared float rtwSums[MOST_CELLS + 1];
+shared float rtwPartial[GROUP];
+
+int layer = int(gl_WorkGroupID.y);
+int axis = int(gl_WorkGroupID.x);
+int me = int(gl_LocalInvocationIndex);
+
+void load(int cells)
+{
+  for (int i = me; i < cells; i += GROUP)
+  {
+    int at = 2 * ((2 * layer + axis) * cells + i);
+    float sum = float(rtwProfile[at]) + 4294967296.0 * float(rtwProfile[at + 1]);
+    rtwSums[i] = rtwSquareRoot != 0 ? sqrt(sum) : uintBitsToFloat(rtwProfile[at]);
+  }
+  barrier();
+}
+
+void blur(int cells)
+{
+  int radius = int(ceil(3.0 * rtwSigma));
+  for (int i = me; i < cells; i += GROUP)
+  {
+    float sum = 0.0;
+    float weights = 0.0;
+    for (int j = max(0, i - radius); j <= min(cells - 1, i + radius); ++j)
+    {
+      float d = float(j - i) / max(rtwSigma, 1e-3);
+      float weight = exp(-0.5 * d * d);
+      sum += weight * rtwSums[j];
+      weights += weight;
+    }
+    rtwValues[i] = sum / weights;
+  }
+  barrier();
+}
+
+// Of all values, in every invocation.
+float total(int cells)
+{
+  float sum = 0.0;
+  for (int i = me; i < cells; i += GROUP)
+  {
+    sum += rtwValues[i];
+  }
+  rtwPartial[me] = sum;
+  barrier();
+  for (int step = GROUP / 2; step > 0; step /= 2)
+  {
+    if (me < step)
+    {
+      rtwPartial[me] += rtwPartial[me + step];
+    }
+    barrier();
+  }
+  float all = rtwPartial[0];
+  barrier();
+  return all;
+}
+
+// rtwSums[i] becomes the normalized sum of the values before i.
+void sumUp(int cells)
+{
+  float mean = total(cells) / float(cells);
+  for (int i = me; i < cells; i += GROUP)
+  {
+    rtwValues[i] = mean > 0.0 ? max(rtwValues[i], rtwFloor * mean) : 1.0;
+  }
+  barrier();
+  float all = total(cells);
+  int each = (cells + GROUP - 1) / GROUP;
+  float mine = 0.0;
+  for (int i = me * each; i < min((me + 1) * each, cells); ++i)
+  {
+    mine += rtwValues[i];
+  }
+  rtwPartial[me] = mine;
+  barrier();
+  float before = 0.0;
+  for (int i = 0; i < me; ++i)
+  {
+    before += rtwPartial[i];
+  }
+  for (int i = me * each; i < min((me + 1) * each, cells); ++i)
+  {
+    rtwSums[i] = before / all;
+    before += rtwValues[i];
+  }
+  if (me == 0)
+  {
+    rtwSums[cells] = 1.0;
+  }
+  barrier();
+}
+
+void writeInverse(int cells, int row)
+{
+  int resolution = rtwWarpSize.y;
+  for (int texel = me; texel < resolution; texel += GROUP)
+  {
+    vec2 centres;
+    for (int k = 0; k < 2; ++k)
+    {
+      float target = (float(texel + k) + 0.5) / float(resolution);
+      int low = 0;
+      int high = cells;
+      while (high - low > 1)
+      {
+        int middle = (low + high) / 2;
+        if (rtwSums[middle] <= target)
+        {
+          low = middle;
+        }
+        else
+        {
+          high = middle;
+        }
+      }
+      centres[k] = (float(low) + (target - rtwSums[low]) / (rtwSums[low + 1] - rtwSums[low])) / float(cells);
+    }
+    imageStore(rtwTable, ivec2(texel, row), vec4(centres, 0.0, 0.0));
+  }
+}
+
+void writeSlopes(int cells)
+{
+  int row = (2 * layer + axis) * rtwLevels;
+  for (int i = me; i < cells; i += GROUP)
+  {
+    float slope = (rtwSums[i + 1] - rtwSums[i]) * float(cells);
+    int next = min(i + 1, cells - 1);
+    float nextSlope = (rtwSums[next + 1] - rtwSums[next]) * float(cells);
+    imageStore(rtwBends, ivec2(i, row), vec4(slope, slope, abs(nextSlope - slope), 0.0));
+  }
+  for (int level = 1; level < rtwLevels; ++level)
+  {
+    memoryBarrierImage();
+    barrier();
+    int span = 1 << (level - 1);
+    for (int i = me; i + 2 * span <= cells; i += GROUP)
+    {
+      vec3 a = imageLoad(rtwBends, ivec2(i, row + level - 1)).xyz;
+      vec3 b = imageLoad(rtwBends, ivec2(i + span, row + level - 1)).xyz;
+      imageStore(rtwBends, ivec2(i, row + level), vec4(min(a.x, b.x), max(a.yz, b.yz), 0.0));
+    }
+  }
+}
+
+void main()
+{
+  int cells = rtwWarpSize.x;
+  load(cells);
+  blur(cells);
+  sumUp(cells);
+  for (int i = me; i < cells; i += GROUP)
+  {
+    imageStore(rtwTable, ivec2(i, 4 * layer + axis), vec4(rtwSums[i], rtwSums[i + 1], 0.0, 0.0));
+  }
+  writeInverse(cells, 4 * layer + 2 + axis);
+  writeSlopes(cells);
+  if (me == 0)
+  {
+    float steepest = 0.0;
+    for (int i = 0; i < cells; ++i)
+    {
+      steepest = max(steepest, (rtwSums[i + 1] - rtwSums[i]) * float(cells));
+    }
+    vec4 focus = rtwFocus(layer);
+    rtwReport[2 * (2 * layer + axis)] = steepest;
+    rtwReport[2 * (2 * layer + axis) + 1] = 1.0 / (axis == 0 ? focus.y : focus.w);
+  }
+}

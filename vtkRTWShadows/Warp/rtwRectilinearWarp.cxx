@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rtwRectilinearWarp.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace rtw
+{
+namespace
+{
+std::vector<double> Blur(const std::vector<double>& values, double sigma)
+{
+  const int count = static_cast<int>(values.size());
+  const int radius = static_cast<int>(std::ceil(3 * sigma));
+  std::vector<double> blurred(values.size());
+  for (int i = 0; i < count; ++i)
+  {
+    double sum = 0, weights = 0;
+    for (int j = std::max(0, i - radius); j <= std::min(count - 1, i + radius); ++j)
+    {
+      const double d = (j - i) / std::max(sigma, 1e-3);
+      const double weight = std::exp(-0.5 * d * d);
+      sum += weight * values[j];
+      weights += weight;
+    }
+    blurred[i] = sum / weights;
+  }
+  return blurred;
+}
+}
+
+WarpingFunction WarpingFunction::FromImportance(
+  std::vector<double> importance, double sigma, double floor)
+{
+  importance = Blur(importance, sigma);
+  const double total = std::accumulate(importance.begin(), importance.end(), 0.0);
+  WarpingFunction function;
+  function.Values.assign(1, 0.0);
+  const double least = floor * total / static_cast<double>(importance.size());
+  for (const double value : importance)
+  {
+    const double kept = total > 0 && std::isfinite(total) ? std::max(value, least) : 1.0;
+    function.Values.push_back(function.Values.back() + kept);
+  }
+  const double sum = function.Values.back();
+  for (double& value : function.Values)
+  {
+    value /= sum;
+  }
+  return function;
+}
+
+WarpingFunction WarpingFunction::FromValues(std::vector<double> values)
+{
+  WarpingFunction function;
+  function.Values = std::move(values);
+  return function;
+}
+
+double WarpingFunction::Forward(double x) const
+{
+  const int cells = this->GetCells();
+  const double f = x * cells;
+  const int cell = static_cast<int>(std::clamp(std::floor(f), 0.0, cells - 1.0));
+  return this->Values[cell] + (f - cell) * (this->Values[cell + 1] - this->Values[cell]);
+}
+
+double WarpingFunction::Inverse(double y) const
+{
+  const auto above = std::upper_bound(this->Values.begin(), this->Values.end(), y);
+  const int cell =
+    std::clamp(static_cast<int>(above - this->Values.begin()) - 1, 0, this->GetCells() - 1);
+  const double rise = this->Values[cell + 1] - this->Values[cell];
+  return (cell + (y - this->Values[cell]) / rise) / this->GetCells();
+}
+
+double WarpingFunction::Slope(int cell) const
+{
+  return (this->Values[cell + 1] - this->Values[cell]) * this->GetCells();
+}
+
+double WarpingFunction::GreatestSlope() const
+{
+  double greatest = 0;
+  for (int cell = 0; cell < this->GetCells(); ++cell)
+  {
+    greatest = std::max(greatest, this->Slope(cell));
+  }
+  return greatest;
+}
+
+// A function whose slope lies between a and b leaves its chord by (b - a) h / 4 at most.
+double WarpingFunction::Bend(double low, double high) const
+{
+  const int cells = this->GetCells();
+  const auto cellAt = [cells](double x) {
+    return static_cast<int>(std::clamp(std::floor(x * cells), 0.0, cells - 1.0));
+  };
+  double least = this->Slope(cellAt(low)), greatest = least;
+  for (int cell = cellAt(low); cell <= cellAt(high); ++cell)
+  {
+    least = std::min(least, this->Slope(cell));
+    greatest = std::max(greatest, this->Slope(cell));
+  }
+  return 0.25 * (greatest - least) * (high - low);
+}
+
+glm::dvec2 RectilinearWarp::ToFocused(const glm::dvec2& onLight) const
+{
+  return (onLight - this->Focus.Low) / (this->Focus.High - this->Focus.Low);
+}
+
+glm::dvec2 RectilinearWarp::Forward(const glm::dvec2& onLight) const
+{
+  const glm::dvec2 q = this->ToFocused(onLight);
+  return { this->S.Forward(q.x), this->T.Forward(q.y) };
+}
+
+glm::dvec2 RectilinearWarp::Inverse(const glm::dvec2& onMap) const
+{
+  const glm::dvec2 q(this->S.Inverse(onMap.x), this->T.Inverse(onMap.y));
+  return this->Focus.Low + q * (this->Focus.High - this->Focus.Low);
+}
+
+glm::dvec2 RectilinearWarp::MaximumEffectiveResolution(int resolution, const Rectangle& whole) const
+{
+  const glm::dvec2 share = (whole.High - whole.Low) / (this->Focus.High - this->Focus.Low);
+  return glm::dvec2(this->S.GreatestSlope(), this->T.GreatestSlope()) * share * double(resolution);
+}
+}

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Rectilinear texture warping on the GPU: importance, then warping maps.
+#ifndef rtwRectilinearWarpStage_h
+#define rtwRectilinearWarpStage_h
+
+#include "rtwBuffer.h"
+#include "rtwImportanceStage.h"
+#include "rtwProgram.h"
+#include "rtwWarpStage.h"
+
+#include <functional>
+
+namespace rtw
+{
+struct RectilinearSettings
+{
+  int Functions = SqrtDemand; ///< of ImportanceFunction
+  int Cells = 512;
+  double Sigma = 3; ///< of the blur, in cells
+  double Floor = 0.01; ///< least importance, as a share of the mean
+};
+
+class RectilinearWarpStage : public WarpStage
+{
+public:
+  explicit RectilinearWarpStage(std::function<RectilinearSettings()> settings);
+  WarpShape GetShape() const override;
+  bool NeedsViewSamples() const override { return true; }
+  int GetCells() const override { return this->Settings().Cells; }
+  bool Build() override;
+  std::string GetLog() const override;
+  void Run(const std::vector<LightFrame>& frames, const ViewSampler& samples,
+    const WarpTable& table) override;
+  glm::dvec2 ReadGreatestDensity(int layer) const override;
+  void Release() override;
+  void Abandon() override;
+
+private:
+  std::function<RectilinearSettings()> Settings;
+  ImportanceStage Importance;
+  Program Building;
+  Buffer Report;
+};
+}
+
+#endif

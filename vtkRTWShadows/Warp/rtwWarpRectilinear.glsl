@@ -1,0 +1,21 @@
+// Rectilinear texture warping (Rosen 2012, section 3): a monotone function of each axis, linear in each cell, and
+// with the slope of its last cells beyond the ends, so that what crosses an end isn't bent there.
+float rtwWarpAlong(int row, float x)
+{
+  float f = x * float(rtwWarpSize.x);
+  int cell = clamp(int(floor(f)), 0, rtwWarpSize.x - 1);
+  vec2 ends = texelFetch(rtwWarpTable, ivec2(cell, row), 0).rg;
+  return ends.x + (f - float(cell)) * (ends.y - ends.x);
+}
+
+vec2 rtwWarp(int layer, vec2 q)
+{
+  return vec2(rtwWarpAlong(4 * layer, q.x), rtwWarpAlong(4 * layer + 1, q.y));
+}
+
+// Where the centres of a texel and of the next along both axes lie: s, s of the next, t, t of the next.
+vec4 rtwTexelCentres(int layer, ivec2 texel)
+{
+  return vec4(texelFetch(rtwWarpTable, ivec2(texel.x, 4 * layer + 2), 0).rg,
+    texelFetch(rtwWarpTable, ivec2(texel.y, 4 * layer + 3), 0).rg);
+}

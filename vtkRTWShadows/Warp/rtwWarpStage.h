@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The contract of a warp: GLSL for caster and receiver, and a way to build its table from view samples.
+//
+// Implemented by IdentityWarpStage (below) and RectilinearWarpStage.
+#ifndef rtwWarpStage_h
+#define rtwWarpStage_h
+
+#include "rtwLightFrame.h"
+
+#include <glm/glm.hpp>
+
+#include <string>
+#include <vector>
+
+namespace rtw
+{
+class ViewSampler;
+class WarpTable;
+
+struct WarpShape
+{
+  const char* Name;     ///< tells shader code for one warp from that for another
+  const char* Function; ///< defines rtwWarp and rtwTexelCentres
+  const char* Bend;     ///< defines rtwBend and rtwBendOfPieces
+};
+
+class WarpStage
+{
+public:
+  virtual ~WarpStage() = default;
+  virtual WarpShape GetShape() const = 0;
+  virtual bool NeedsViewSamples() const = 0;
+  virtual int GetCells() const = 0; ///< of a warping function
+  /// Compiles; false, with the reason in GetLog(), where the driver can't.
+  virtual bool Build() = 0;
+  virtual std::string GetLog() const = 0;
+  /// Fills the table of every layer; its focus is there already.
+  virtual void Run(
+    const std::vector<LightFrame>& frames, const ViewSampler& samples, const WarpTable& table) = 0;
+  /// How many times the mean density of texels the densest cell of a layer has along s and t. Waits for the GPU.
+  virtual glm::dvec2 ReadGreatestDensity(int layer) const = 0;
+  virtual void Release() = 0;
+  virtual void Abandon() = 0;
+};
+
+class IdentityWarpStage : public WarpStage
+{
+public:
+  WarpShape GetShape() const override;
+  bool NeedsViewSamples() const override { return false; }
+  int GetCells() const override { return 1; }
+  bool Build() override { return true; }
+  std::string GetLog() const override { return {}; }
+  void Run(const std::vector<LightFrame>&, const ViewSampler&, const WarpTable&) override {}
+  glm::dvec2 ReadGreatestDensity(int) const override { return glm::dvec2(1); }
+  void Release() override {}
+  void Abandon() override {}
+};
+}
+
+#endif

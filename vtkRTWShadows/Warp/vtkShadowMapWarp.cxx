@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkShadowMapWarp.h"
+
+#include "rtwWarpStage.h"
+
+vtkShadowMapWarp::vtkShadowMapWarp() = default;
+vtkShadowMapWarp::~vtkShadowMapWarp() = default;
+
+void vtkShadowMapWarp::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+}
