@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Compares shadow techniques on a scene: how many pixels are wrong, and how long a frame takes.
+#include "Options.h"
+#include "Pictures.h"
+#include "Progress.h"
+#include "Report.h"
+#include "View.h"
+
+#include "rtwCompare.h"
+
+#include <vtkImageData.h>
+#include <vtkLight.h>
+#include <vtkLightCollection.h>
+#include <vtkPolyData.h>
+#include <vtkRenderer.h>
+#include <vtkRTWEGLRenderWindow.h>
+#include <vtksys/SystemTools.hxx>
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+
+namespace
+{
+bool IsKnown(const std::string& scene)
+{
+  const std::vector<std::string> names = rtw::SceneNames();
+  return std::find(names.begin(), names.end(), scene) != names.end();
+}
+
+rtw::Scene OpenScene(const Options& options)
+{
+  rtw::Scene scene;
+  try
+  {
+    scene = IsKnown(options.Scene) ? rtw::MakeScene(options.Scene, options.Scale)
+                                   : rtw::LoadScene(options.Scene);
+  }
+  catch (const std::runtime_error& error)
+  {
+    throw UsageError(error.what());
+  }
+  if (options.Size)
+  {
+    std::tie(scene.Size[0], scene.Size[1]) = *options.Size;
+  }
+  if (options.Light)
+  {
+    scene.Light = *options.Light;
+  }
+  if (options.Camera)
+  {
+    scene.Camera.Position = options.Camera->Position;
+    scene.Camera.Focal = options.Camera->Focal;
+    scene.Camera.Angle = options.Camera->Angle;
+  }
+  return scene;
+}
+
+// Before anything is drawn, because it is a pity to fail after minutes.
+void CheckOutputs(const Options& options)
+{
+  if (!options.OutputFolder.empty() && !vtksys::SystemTools::MakeDirectory(options.OutputFolder))
+  {
+    throw UsageError("--out " + options.OutputFolder + ": the folder cannot be made");
+  }
+  if (!options.JsonFile.empty() && !std::ofstream(options.JsonFile, std::ios::app))
+  {
+    throw UsageError("--json " + options.JsonFile + ": the file cannot be written");
+  }
+}
+
+rtw::Truth TraceTruth(vtkRenderer* renderer, const rtw::Scene& scene, size_t& primitives)
+{
+  Progress progress("exact shadows");
+  rtw::ReferenceOptions options;
+  options.Progress = [&progress](double share) { progress.Tell(share); };
+  const rtw::ShadowReference reference(renderer, options);
+  primitives = reference.NumberOfPrimitives();
+  auto* light = vtkLight::SafeDownCast(renderer->GetLights()->GetItemAsObject(0));
+  return reference.Trace(light, scene.Size[0], scene.Size[1]);
+}
+
+// The folder, and a name for a picture that one more word is added to.
+std::string PicturePath(const Options& options, const rtw::Scene& scene, const std::string& what)
+{
+  return options.OutputFolder + "/" + scene.Name + "-" + what + ".png";
+}
+
+// The picture must be taken before the mask, which may change the props.
+Result Examine(View& view, const Options& options, const rtw::Scene& scene, const rtw::Truth& truth)
+{
+  Result result{ view.GetTechniqueName(), view.GetResolution(), {}, {}, 0 };
+  result.Memory = view.GetTechnique()->GetMemory();
+  const std::string name = view.GetTechniqueName() + "-" + std::to_string(view.GetResolution());
+  view.SetRebuilding(true);
+  view.Render();
+  if (!options.OutputFolder.empty())
+  {
+    WritePng(Grab(view.GetWindow()), PicturePath(options, scene, name));
+  }
+  const std::vector<unsigned char> mask = view.GetTechnique()->MakeMask();
+  result.Errors = rtw::Compare(mask, truth);
+  if (!options.OutputFolder.empty())
+  {
+    WritePng(
+      rtw::MaskImage(mask, truth.Width, truth.Height), PicturePath(options, scene, name + "-mask"));
+    WritePng(rtw::DifferenceImage(mask, truth), PicturePath(options, scene, name + "-difference"));
+  }
+  return result;
+}
+
+void CompareWithVtk(std::vector<Result>& results)
+{
+  for (Result& result : results)
+  {
+    const auto vtk = std::find_if(results.begin(), results.end(), [&](const Result& other) {
+      return other.Technique == "vtk" && other.Resolution == result.Resolution;
+    });
+    if (vtk != results.end())
+    {
+      result.ToVtk = result.Milliseconds.Rebuilt / vtk->Milliseconds.Rebuilt;
+    }
+  }
+}
+
+Report Measure(const rtw::Scene& scene, const Options& options)
+{
+  Views views;
+  views.push_back(std::make_unique<View>(scene, options, "", 0));
+  for (const int resolution : options.Resolutions)
+  {
+    for (const std::string& technique : options.Techniques)
+    {
+      views.push_back(std::make_unique<View>(scene, options, technique, resolution));
+    }
+  }
+  Report report{ scene, 0, {}, {}, {} };
+  const rtw::Truth truth = TraceTruth(views[0]->GetRenderer(), scene, report.Primitives);
+  report.Truth = rtw::Compare(truth.Mask, truth);
+  if (!options.OutputFolder.empty())
+  {
+    WritePng(
+      rtw::MaskImage(truth.Mask, truth.Width, truth.Height), PicturePath(options, scene, "truth"));
+    WritePng(Grab(views[0]->GetWindow()), PicturePath(options, scene, "none"));
+  }
+  const std::vector<Times> times = TakeTimes(views, options);
+  report.Baseline = times[0];
+  for (size_t i = 1; i < views.size(); ++i)
+  {
+    report.Results.push_back(Examine(*views[i], options, scene, truth));
+    report.Results.back().Milliseconds = times[i];
+  }
+  CompareWithVtk(report.Results);
+  return report;
+}
+
+void Run(const Options& options)
+{
+  CheckOutputs(options);
+  vtkRTWEGLRenderWindow::InstallAsDefault(false);
+  const Report report = Measure(OpenScene(options), options);
+  std::fputs(ToTable(report).c_str(), stdout);
+  if (!options.JsonFile.empty())
+  {
+    std::ofstream(options.JsonFile) << ToJson(report);
+  }
+}
+}
+
+int main(int argc, char* argv[])
+{
+  try
+  {
+    const Options options = ParseOptions(argc, argv);
+    if (options.Help)
+    {
+      std::fputs(HelpText().c_str(), stdout);
+      return 0;
+    }
+    Run(options);
+    return 0;
+  }
+  catch (const UsageError& error)
+  {
+    std::fprintf(stderr, "shadow-compare: %s\n", error.what());
+    return 2;
+  }
+  catch (const std::exception& error)
+  {
+    std::fprintf(stderr, "shadow-compare: %s\n", error.what());
+    return 1;
+  }
+}
