@@ -71,20 +71,30 @@ std::vector<double> Numbers(const std::string& text, size_t count)
   return numbers.size() == count ? numbers : std::vector<double>();
 }
 
+std::string Join(const std::vector<std::string>& names)
+{
+  std::string text;
+  for (const std::string& name : names)
+  {
+    text += (text.empty() ? "" : ", ") + name;
+  }
+  return text;
+}
+
 template <class Value>
 Value Choose(const std::string& option, const std::string& text,
   const std::vector<std::pair<std::string, Value>>& choices)
 {
-  std::string names;
+  std::vector<std::string> names;
   for (const auto& [name, value] : choices)
   {
     if (name == text)
     {
       return value;
     }
-    names += (names.empty() ? "" : ", ") + name;
+    names.push_back(name);
   }
-  Refuse(option, text, "one of " + names);
+  Refuse(option, text, "one of " + Join(names));
 }
 
 void ReadTechniques(const std::string& text, Options& options)
@@ -95,12 +105,7 @@ void ReadTechniques(const std::string& text, Options& options)
   {
     if (std::find(known.begin(), known.end(), name) == known.end())
     {
-      std::string names;
-      for (const std::string& other : known)
-      {
-        names += (names.empty() ? "" : ", ") + other;
-      }
-      Refuse("--technique", text, "some of " + names);
+      Refuse("--technique", text, "some of " + Join(known));
     }
     options.Techniques.push_back(name);
   }
@@ -293,12 +298,10 @@ std::string HelpText()
   text
     << "shadow-compare [SCENE] [OPTION ...]\n\n"
        "Renders a scene with shadows by each technique, without a display, compares every pixel\n"
-       "with an exact shadow ray, and takes the time.\n\nSCENE is ";
-  for (const std::string& name : rtw::SceneNames())
-  {
-    text << name << ", ";
-  }
-  text << "\nor a file: .obj, .ply, .stl, .vtp, .glb, .gltf. Default: town.\n\n";
+       "with an exact shadow ray, and takes the time.\n\n"
+       "SCENE is one of "
+    << Join(rtw::SceneNames())
+    << ",\nor a file: .obj, .ply, .stl, .vtp, .glb, .gltf. Default: town.\n\n";
   const auto pad = [](std::string column) { return column + std::string(24 - column.size(), ' '); };
   for (const Entry& entry : ENTRIES)
   {

@@ -12,10 +12,8 @@ struct Entry
 
 const Entry ENTRIES[] = {
   { "vtk", "VTK's own vtkShadowMapPass", MakeVtkTechnique },
-#if RTW_HAVE_PASSES
   { "uniform", "vtkUniformShadowMapPass, the conventional map", MakeUniformTechnique },
   { "rtw", "vtkRTWShadowMapPass, rectilinear texture warping", MakeRTWTechnique },
-#endif
 };
 
 const Entry& Find(const std::string& name)

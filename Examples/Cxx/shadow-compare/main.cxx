@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
+#include <tuple>
 
 namespace
 {
@@ -81,7 +82,6 @@ rtw::Truth TraceTruth(vtkRenderer* renderer, const rtw::Scene& scene, size_t& pr
   return reference.Trace(light, scene.Size[0], scene.Size[1]);
 }
 
-// The folder, and a name for a picture that one more word is added to.
 std::string PicturePath(const Options& options, const rtw::Scene& scene, const std::string& what)
 {
   return options.OutputFolder + "/" + scene.Name + "-" + what + ".png";
