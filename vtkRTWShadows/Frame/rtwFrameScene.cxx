@@ -46,6 +46,17 @@ std::uint64_t Mix(std::uint64_t signature, const glm::dmat4& matrix)
   return signature;
 }
 
+void AddCorners(const glm::dvec3& low, const glm::dvec3& high, const glm::dmat4& transform,
+  std::vector<glm::dvec3>& corners)
+{
+  for (int i = 0; i < 8; ++i)
+  {
+    const glm::dvec4 corner(
+      i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z, 1);
+    corners.emplace_back(transform * corner);
+  }
+}
+
 namespace
 {
 bool Flag(vtkProp* prop, vtkInformationIntegerKey* key)
@@ -67,7 +78,7 @@ struct Collector
   SceneKeys Keys;
   bool OwnDrawing;
 
-  void AddBounds(vtkProp* prop, bool unsampledReceiver)
+  void AddBounds(vtkProp* prop, bool plain, bool unsampledReceiver)
   {
     const double* b = prop->GetBounds();
     if (!b || !(b[0] <= b[1] && b[2] <= b[3] && b[4] <= b[5]))
@@ -86,10 +97,13 @@ struct Collector
     scene.Low = scene.HasBounds ? glm::min(scene.Low, low) : low;
     scene.High = scene.HasBounds ? glm::max(scene.High, high) : high;
     scene.HasBounds = true;
+    if (!plain)
+    {
+      AddCorners(low, high, glm::dmat4(1), scene.PropCorners);
+    }
     if (unsampledReceiver)
     {
-      scene.UnsampledReceivers.push_back(low);
-      scene.UnsampledReceivers.push_back(high);
+      AddCorners(low, high, glm::dmat4(1), scene.UnsampledReceivers);
     }
   }
 
@@ -153,7 +167,7 @@ struct Collector
         { prop, casts, receives, prop->HasTranslucentPolygonalGeometry() != 0 });
     }
     // Bounds need an updated pipeline, which collecting the meshes saw to.
-    this->AddBounds(prop, receives && prop->HasTranslucentPolygonalGeometry());
+    this->AddBounds(prop, plain, receives && prop->HasTranslucentPolygonalGeometry());
     this->MixIn(prop, parts, casts, receives);
     this->Result.Shaded.push_back(prop);
     this->Result.Parts.insert(this->Result.Parts.end(), parts.begin(), parts.end());

@@ -41,10 +41,12 @@ struct FrameScene
   std::vector<ScenePart> Parts;
   std::vector<SceneProp> Props;
   std::vector<vtkProp*> Shaded; ///< every prop whose mappers are given our shader code
-  glm::dvec3 Low{ 0 };
+  glm::dvec3 Low{ 0 }; ///< of all that has bounds
   glm::dvec3 High{ 0 };
   bool HasBounds = false;
-  /// Bounds of receivers that are not among the view samples: low and high corners in turns.
+  /// Corners of the bounds of Props.
+  std::vector<glm::dvec3> PropCorners;
+  /// Corners of the bounds of receivers that are not among the view samples, eight for each.
   std::vector<glm::dvec3> UnsampledReceivers;
   /// Changes whenever anything that the shadows depend on does.
   std::uint64_t Signature = 0;
@@ -61,6 +63,10 @@ struct SceneKeys
 /// All visible props, those outside the view among them: they can cast into it. With `ownDrawing` off everything is
 /// left to VTK's mappers.
 FrameScene CollectScene(vtkRenderer* renderer, const SceneKeys& keys, bool ownDrawing);
+
+/// Appends the corners of a box, transformed.
+void AddCorners(const glm::dvec3& low, const glm::dvec3& high, const glm::dmat4& transform,
+  std::vector<glm::dvec3>& corners);
 
 /// Mixes a number into a signature.
 std::uint64_t Mix(std::uint64_t signature, std::uint64_t value);

@@ -7,7 +7,9 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include <algorithm>
 #include <cstring>
+#include <limits>
 
 namespace rtw
 {
@@ -27,19 +29,12 @@ struct GpuCluster
 static_assert(sizeof(GpuCluster) == 80, "the shaders read it with this stride");
 }
 
-void GeometryStore::Upload(Mesh& mesh, const MeshData& data)
+void GeometryStore::Upload(Mesh& mesh)
 {
-  mesh.Centre = data.Centre;
-  mesh.Points = data.Points.size();
-  mesh.Indices = data.Indices.size();
-  mesh.Clusters = data.Clusters.size();
-  mesh.LineIndices = data.LineIndices;
-  mesh.VertexIndices = data.VertexIndices;
-  mesh.TriangleIndices =
-    static_cast<std::uint32_t>(mesh.Indices) - data.LineIndices - data.VertexIndices;
-  mesh.FirstPoint = this->PointRanges.Allocate(mesh.Points);
-  mesh.FirstIndex = this->IndexRanges.Allocate(mesh.Indices);
-  mesh.FirstCluster = this->ClusterRanges.Allocate(mesh.Clusters);
+  const MeshData& data = mesh.Data;
+  mesh.FirstPoint = this->PointRanges.Allocate(data.Points.size());
+  mesh.FirstIndex = this->IndexRanges.Allocate(data.Indices.size());
+  mesh.FirstCluster = this->ClusterRanges.Allocate(data.Clusters.size());
   this->Points.Reserve(this->PointRanges.GetEnd() * sizeof(glm::vec3), true);
   this->Indices.Reserve(this->IndexRanges.GetEnd() * sizeof(std::uint32_t), true);
   this->Clusters.Reserve(this->ClusterRanges.GetEnd() * sizeof(GpuCluster), true);
@@ -52,19 +47,19 @@ void GeometryStore::Upload(Mesh& mesh, const MeshData& data)
     std::memcpy(gpu.ClassEnd, cluster.ClassEnd.data(), sizeof(gpu.ClassEnd));
     clusters.push_back(gpu);
   }
-  this->Points.Write(
-    mesh.FirstPoint * sizeof(glm::vec3), data.Points.data(), mesh.Points * sizeof(glm::vec3));
+  this->Points.Write(mesh.FirstPoint * sizeof(glm::vec3), data.Points.data(),
+    data.Points.size() * sizeof(glm::vec3));
   this->Indices.Write(mesh.FirstIndex * sizeof(std::uint32_t), data.Indices.data(),
-    mesh.Indices * sizeof(std::uint32_t));
+    data.Indices.size() * sizeof(std::uint32_t));
   this->Clusters.Write(mesh.FirstCluster * sizeof(GpuCluster), clusters.data(),
     clusters.size() * sizeof(GpuCluster));
 }
 
 void GeometryStore::Free(const Mesh& mesh)
 {
-  this->PointRanges.Free(mesh.FirstPoint, mesh.Points);
-  this->IndexRanges.Free(mesh.FirstIndex, mesh.Indices);
-  this->ClusterRanges.Free(mesh.FirstCluster, mesh.Clusters);
+  this->PointRanges.Free(mesh.FirstPoint, mesh.Data.Points.size());
+  this->IndexRanges.Free(mesh.FirstIndex, mesh.Data.Indices.size());
+  this->ClusterRanges.Free(mesh.FirstCluster, mesh.Data.Clusters.size());
 }
 
 void GeometryStore::DropUnused()
@@ -86,16 +81,18 @@ void GeometryStore::DropUnused()
 
 void GeometryStore::AddThinDraws(const Mesh& mesh, std::uint32_t instance)
 {
+  const MeshData& data = mesh.Data;
   const auto base = static_cast<std::uint32_t>(mesh.FirstPoint);
-  const std::uint32_t lines = static_cast<std::uint32_t>(mesh.FirstIndex) + mesh.TriangleIndices;
-  if (mesh.LineIndices > 0)
+  const std::uint32_t lines =
+    static_cast<std::uint32_t>(mesh.FirstIndex) + data.GetTriangleIndices();
+  if (data.LineIndices > 0)
   {
-    this->ThinDraws.push_back({ Primitive::Lines, { mesh.LineIndices, 1, lines, base, instance } });
+    this->ThinDraws.push_back({ Primitive::Lines, { data.LineIndices, 1, lines, base, instance } });
   }
-  if (mesh.VertexIndices > 0)
+  if (data.VertexIndices > 0)
   {
     this->ThinDraws.push_back({ Primitive::Points,
-      { mesh.VertexIndices, 1, lines + mesh.LineIndices, base, instance } });
+      { data.VertexIndices, 1, lines + data.LineIndices, base, instance } });
   }
 }
 
@@ -103,6 +100,7 @@ void GeometryStore::Update(const std::vector<ScenePart>& parts)
 {
   std::vector<ClusterDraw> draws;
   this->Instances.clear();
+  this->InstanceMeshes.clear();
   this->ThinDraws.clear();
   this->NumberOfTriangles = 0;
   for (const ScenePart& part : parts)
@@ -112,21 +110,23 @@ void GeometryStore::Update(const std::vector<ScenePart>& parts)
     if (mesh.Time != time)
     {
       this->Free(mesh);
-      this->Upload(mesh, BuildMeshData(part.Data));
+      mesh.Data = BuildMeshData(part.Data);
+      this->Upload(mesh);
       mesh.Time = time;
     }
     mesh.Used = true;
     const auto instance = static_cast<std::uint32_t>(this->Instances.size());
     this->Instances.push_back(
-      { part.ToWorld * glm::translate(glm::dmat4(1), mesh.Centre), part.Casts, part.Receives });
+      { part.ToWorld * glm::translate(glm::dmat4(1), mesh.Data.Centre), part.Casts, part.Receives });
+    this->InstanceMeshes.push_back(&mesh);
     const std::uint32_t flags = (part.Casts ? ClusterDraw::CastsBit : 0) |
       (part.Receives ? ClusterDraw::ReceivesBit : 0);
-    for (std::size_t i = 0; i < mesh.Clusters; ++i)
+    for (std::size_t i = 0; i < mesh.Data.Clusters.size(); ++i)
     {
       draws.push_back({ static_cast<std::uint32_t>(mesh.FirstCluster + i), instance, flags, 0 });
     }
     this->AddThinDraws(mesh, instance);
-    this->NumberOfTriangles += mesh.TriangleIndices / 3;
+    this->NumberOfTriangles += mesh.Data.GetTriangleIndices() / 3;
   }
   this->DropUnused();
   this->NumberOfDraws = static_cast<int>(draws.size());
@@ -137,6 +137,55 @@ void GeometryStore::Update(const std::vector<ScenePart>& parts)
     this->Draws.Assign(draws);
     this->Listed = std::move(draws);
   }
+}
+
+namespace
+{
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+// The greatest product of a direction with the points of a range of indices.
+double Greatest(const MeshData& data, std::size_t first, std::size_t end, const glm::dvec3& direction)
+{
+  double greatest = -Infinity;
+  for (std::size_t i = first; i < end; ++i)
+  {
+    greatest = std::max(greatest, glm::dot(glm::dvec3(data.Points[data.Indices[i]]), direction));
+  }
+  return greatest;
+}
+
+// More than `least`, if any point of the mesh reaches farther; else `least`.
+double GreatestOf(const MeshData& data, const glm::dvec3& direction, double least)
+{
+  for (const MeshCluster& cluster : data.Clusters)
+  {
+    const glm::dvec3 farthest(direction.x > 0 ? cluster.High.x : cluster.Low.x,
+      direction.y > 0 ? cluster.High.y : cluster.Low.y,
+      direction.z > 0 ? cluster.High.z : cluster.Low.z);
+    if (glm::dot(farthest, direction) > least)
+    {
+      const std::size_t end = cluster.FirstIndex + cluster.ClassEnd.back();
+      least = std::max(least, Greatest(data, cluster.FirstIndex, end, direction));
+    }
+  }
+  return std::max(
+    least, Greatest(data, data.GetTriangleIndices(), data.Indices.size(), direction));
+}
+}
+
+glm::dvec2 GeometryStore::Extent(const glm::dvec3& direction) const
+{
+  double least = Infinity, greatest = -Infinity;
+  for (std::size_t i = 0; i < this->Instances.size(); ++i)
+  {
+    const glm::dmat4& toWorld = this->Instances[i].ToWorld;
+    const glm::dvec3 local = glm::transpose(glm::dmat3(toWorld)) * direction;
+    const double offset = glm::dot(glm::dvec3(toWorld[3]), direction);
+    const MeshData& data = this->InstanceMeshes[i]->Data;
+    greatest = offset + GreatestOf(data, local, greatest - offset);
+    least = offset - GreatestOf(data, -local, offset - least);
+  }
+  return { least, greatest };
 }
 
 std::size_t GeometryStore::GetMemory() const
@@ -165,6 +214,7 @@ void GeometryStore::Abandon()
   this->ClusterRanges.Clear();
   this->Meshes.clear();
   this->Instances.clear();
+  this->InstanceMeshes.clear();
   this->ThinDraws.clear();
   this->Listed.clear();
   this->NumberOfDraws = 0;

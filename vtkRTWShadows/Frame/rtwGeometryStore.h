@@ -50,6 +50,9 @@ public:
 
   const std::vector<Instance>& GetInstances() const { return this->Instances; }
   const std::vector<ThinDraw>& GetThinDraws() const { return this->ThinDraws; }
+  /// The least and the greatest product of a direction with any point, both infinite the wrong way round without points.
+  /// Looks at the points of those clusters only that can hold either.
+  glm::dvec2 Extent(const glm::dvec3& direction) const;
   int GetNumberOfDraws() const { return this->NumberOfDraws; }
   std::size_t GetNumberOfTriangles() const { return this->NumberOfTriangles; }
   const Buffer& GetPoints() const { return this->Points; }
@@ -64,15 +67,12 @@ private:
   struct Mesh
   {
     std::uint64_t Time = 0;
-    glm::dvec3 Centre{ 0 };
-    std::size_t FirstPoint = 0, Points = 0;
-    std::size_t FirstIndex = 0, Indices = 0;
-    std::size_t FirstCluster = 0, Clusters = 0;
-    std::uint32_t TriangleIndices = 0, LineIndices = 0, VertexIndices = 0;
+    std::size_t FirstPoint = 0, FirstIndex = 0, FirstCluster = 0;
+    MeshData Data;
     bool Used = false;
   };
 
-  void Upload(Mesh& mesh, const MeshData& data);
+  void Upload(Mesh& mesh);
   void Free(const Mesh& mesh);
   void DropUnused();
   void AddThinDraws(const Mesh& mesh, std::uint32_t instance);
@@ -81,6 +81,7 @@ private:
   RangeAllocator PointRanges, IndexRanges, ClusterRanges;
   std::unordered_map<vtkPolyData*, Mesh> Meshes;
   std::vector<Instance> Instances;
+  std::vector<const Mesh*> InstanceMeshes;
   std::vector<ThinDraw> ThinDraws;
   std::vector<ClusterDraw> Listed;
   int NumberOfDraws = 0;

@@ -38,6 +38,11 @@ struct MeshData
   std::uint32_t LineIndices = 0;
   std::uint32_t VertexIndices = 0;
 
+  std::uint32_t GetTriangleIndices() const
+  {
+    return static_cast<std::uint32_t>(this->Indices.size()) - this->LineIndices -
+      this->VertexIndices;
+  }
   bool IsEmpty() const { return this->Indices.empty(); }
 };
 

@@ -42,6 +42,7 @@ void ViewSampler::Cull(const GeometryStore& store)
 bool ViewSampler::Render(const View& view, const GeometryStore& store, int stride)
 {
   this->Viewed = view;
+  this->Stride = stride;
   const int width = std::max(1, view.Width / stride), height = std::max(1, view.Height / stride);
   this->Depth.Allocate(Format::Depth, width, height);
   this->Slope.Allocate(Format::Float2, width, height);

@@ -29,6 +29,7 @@ public:
   /// Gives an analysis the samples.
   void Bind(const Program& program) const;
   const View& GetView() const { return this->Viewed; }
+  int GetStride() const { return this->Stride; }
   int GetWidth() const { return this->Depth.GetWidth(); }
   int GetHeight() const { return this->Depth.GetHeight(); }
   std::size_t GetMemory() const;
@@ -39,6 +40,7 @@ private:
   void Cull(const GeometryStore& store);
 
   View Viewed;
+  int Stride = 1;
   Texture Depth, Slope;
   Framebuffer Target;
   Program Culling, Drawing;

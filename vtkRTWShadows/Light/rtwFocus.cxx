@@ -70,6 +70,8 @@ void FocusStage::Reduce(const std::vector<LightFrame>& frames, const std::vector
   this->Bounds.BindStorage(0);
   this->Reduction.Use();
   samples.Bind(this->Reduction);
+  const int stride = samples.GetStride();
+  this->Reduction.Set("rtwReach", 0.5f * float(stride - 1) / float(stride));
   for (std::size_t layer = 0; layer < frames.size(); ++layer)
   {
     BindLight(this->Reduction, frames[layer], samples.GetView());

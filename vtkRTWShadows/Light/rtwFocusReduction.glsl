@@ -8,6 +8,7 @@ layout(std430, binding = 0) buffer Bounds
   uint rtwBounds[]; // a layer: low s, low t, high s, high t; in an order that unsigned numbers share
 };
 uniform int rtwLayer;
+uniform float rtwReach; // of a sample, to the farthest pixel that it speaks for, as a share of its footprint
 uniform vec4 rtwWholeBounds; // nothing outside the light's own bounds counts
 shared vec4 rtwPartial[256];
 
@@ -32,9 +33,9 @@ void main()
         ViewSample s = rtwLoadSample(pixel);
         if (s.used)
         {
-          // Half its footprint reaches to the next sample, behind which a receiver may end.
-          bounds.xy = min(bounds.xy, s.onLight - s.footprint);
-          bounds.zw = max(bounds.zw, s.onLight + s.footprint);
+          // It speaks for the pixels around it too.
+          bounds.xy = min(bounds.xy, s.onLight - rtwReach * s.footprint);
+          bounds.zw = max(bounds.zw, s.onLight + rtwReach * s.footprint);
         }
       }
     }

@@ -2,7 +2,6 @@
 #include "rtwLightFrame.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -15,16 +14,6 @@ constexpr double WidestCone = 89.0;
 // Of a spot's reach: casters nearer to it than that share one depth.
 constexpr double NearestShare = 1e-3;
 
-std::array<glm::dvec3, 8> Corners(const glm::dvec3& low, const glm::dvec3& high)
-{
-  std::array<glm::dvec3, 8> corners;
-  for (int i = 0; i < 8; ++i)
-  {
-    corners[i] = { i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z };
-  }
-  return corners;
-}
-
 void SetRow(glm::dmat4& matrix, int row, const glm::dvec3& axis, double offset)
 {
   for (int column = 0; column < 3; ++column)
@@ -34,17 +23,15 @@ void SetRow(glm::dmat4& matrix, int row, const glm::dvec3& axis, double offset)
   matrix[3][row] = offset;
 }
 
-void FitDirectional(LightFrame& frame, const std::array<glm::dvec3, 8>& corners, const glm::dvec3& eye)
+void FitDirectional(LightFrame& frame, const ExtentFunction& extent, const glm::dvec3& eye)
 {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  glm::dvec3 low(infinity), high(-infinity);
-  for (const glm::dvec3& corner : corners)
+  const glm::dvec3 axes[] = { frame.SAxis, frame.TAxis, frame.Light.Direction };
+  glm::dvec3 low(0), high(0);
+  for (int k = 0; k < 3; ++k)
   {
-    const glm::dvec3 d = corner - eye;
-    const glm::dvec3 q(glm::dot(d, frame.SAxis), glm::dot(d, frame.TAxis),
-      glm::dot(d, frame.Light.Direction));
-    low = glm::min(low, q);
-    high = glm::max(high, q);
+    const glm::dvec2 along = extent(axes[k]) - glm::dot(eye, axes[k]);
+    low[k] = along.x;
+    high[k] = along.y;
   }
   const double side = std::max({ high.x - low.x, high.y - low.y, 1e-30 }) * 1.0001;
   const glm::dvec2 middle = 0.5 * glm::dvec2(low + high);
@@ -59,18 +46,12 @@ void FitDirectional(LightFrame& frame, const std::array<glm::dvec3, 8>& corners,
   SetRow(frame.WorldToLight, 3, glm::dvec3(0), 1);
 }
 
-void FitSpot(LightFrame& frame, const std::array<glm::dvec3, 8>& corners, const glm::dvec3& eye)
+void FitSpot(LightFrame& frame, const ExtentFunction& extent, const glm::dvec3& eye)
 {
   const ShadowLight& light = frame.Light;
-  double nearest = std::numeric_limits<double>::infinity(), farthest = 0;
-  for (const glm::dvec3& corner : corners)
-  {
-    const double along = glm::dot(corner - light.Position, light.Direction);
-    nearest = std::min(nearest, along);
-    farthest = std::max(farthest, along);
-  }
-  farthest = std::max(farthest, 1e-30) * 1.001;
-  nearest = std::clamp(0.999 * nearest, NearestShare * farthest, 0.5 * farthest);
+  const glm::dvec2 along = extent(light.Direction) - glm::dot(light.Position, light.Direction);
+  const double farthest = std::max(along.y, 1e-30) * 1.001;
+  const double nearest = std::clamp(0.999 * along.x, NearestShare * farthest, 0.5 * farthest);
   frame.NearestDistance = nearest;
   frame.FarthestDistance = farthest;
   frame.ConeTangent = std::tan(glm::radians(std::min(light.ConeAngle, WidestCone)));
@@ -88,13 +69,13 @@ void FitSpot(LightFrame& frame, const std::array<glm::dvec3, 8>& corners, const 
 
   const glm::dvec3 s = frame.SAxis - origin.x * light.Direction;
   const glm::dvec3 t = frame.TAxis - origin.y * light.Direction;
-  const double along = -glm::dot(light.Position, light.Direction);
+  const double offset = -glm::dot(light.Position, light.Direction);
   // depth = (1/n - 1/w) / (1/n - 1/f)
   const double scale = 1 / (1 / nearest - 1 / farthest);
   SetRow(frame.WorldToLight, 0, s, -glm::dot(light.Position, s));
   SetRow(frame.WorldToLight, 1, t, -glm::dot(light.Position, t));
-  SetRow(frame.WorldToLight, 2, light.Direction * scale / nearest, scale * (along / nearest - 1));
-  SetRow(frame.WorldToLight, 3, light.Direction, along);
+  SetRow(frame.WorldToLight, 2, light.Direction * scale / nearest, scale * (offset / nearest - 1));
+  SetRow(frame.WorldToLight, 3, light.Direction, offset);
 }
 }
 
@@ -119,7 +100,7 @@ glm::dvec3 LightFrame::Project(const glm::dvec3& world) const
 }
 
 LightFrame MakeLightFrame(
-  const ShadowLight& light, const glm::dvec3& low, const glm::dvec3& high, const glm::dvec3& eye)
+  const ShadowLight& light, const ExtentFunction& extent, const glm::dvec3& eye)
 {
   LightFrame frame;
   frame.Light = light;
@@ -129,11 +110,11 @@ LightFrame MakeLightFrame(
   frame.TAxis = glm::cross(light.Direction, frame.SAxis);
   if (light.Kind == LightKind::Directional)
   {
-    FitDirectional(frame, Corners(low, high), eye);
+    FitDirectional(frame, extent, eye);
   }
   else
   {
-    FitSpot(frame, Corners(low, high), eye);
+    FitSpot(frame, extent, eye);
   }
   return frame;
 }

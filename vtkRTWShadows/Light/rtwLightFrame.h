@@ -9,6 +9,8 @@
 
 #include <glm/glm.hpp>
 
+#include <functional>
+
 namespace rtw
 {
 enum class LightKind
@@ -56,9 +58,12 @@ struct LightFrame
   glm::dvec3 Project(const glm::dvec3& world) const;
 };
 
-/// A frame for a light that shines on the box from low to high, seen from the eye.
+/// The least and the greatest product of a direction with any point of what a light shines on.
+using ExtentFunction = std::function<glm::dvec2(const glm::dvec3& direction)>;
+
+/// A frame for a light, seen from the eye.
 LightFrame MakeLightFrame(
-  const ShadowLight& light, const glm::dvec3& low, const glm::dvec3& high, const glm::dvec3& eye);
+  const ShadowLight& light, const ExtentFunction& extent, const glm::dvec3& eye);
 }
 
 #endif

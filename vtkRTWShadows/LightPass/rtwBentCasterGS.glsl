@@ -7,8 +7,9 @@
 layout(triangles) in;
 layout(triangle_strip, max_vertices = 4) out;
 in vec4 focusedPoint[];
-flat out vec3 edges[3];
-flat out vec3 plane;       // depth at (q, 1)
+flat out vec3 edges[3];    // signed distance from each at (q - anchor, 1)
+flat out vec3 anchor;      // a corner: q and depth
+flat out vec2 slope;       // of depth from there
 flat out vec2 depthRange;
 flat out int bent;
 uniform int rtwLayer;
@@ -19,28 +20,39 @@ const float MARGIN = 0.02; // of a texel, for rounding
 
 // What every vertex carries: outputs don't outlive an EmitVertex.
 vec3 myEdges[3];
-vec3 myPlane;
+vec3 myAnchor;
+vec2 mySlope;
 vec2 myDepthRange;
 int myBent;
 
+// Relative to the corner that is farthest from the light: differences of large numbers would leave nothing of a small triangle.
 bool rtwSetUp()
 {
-  vec3 h[3];
+  int a = focusedPoint[1].w > focusedPoint[0].w ? 1 : 0;
+  a = focusedPoint[2].w > focusedPoint[a].w ? 2 : a;
+  if (focusedPoint[a].w < rtwNearestW)
+  {
+    return false; // wholly behind the light
+  }
+  myAnchor = focusedPoint[a].xyz / focusedPoint[a].w;
+  vec4 h[3]; // homogeneous, the anchor at the origin
   for (int i = 0; i < 3; ++i)
   {
-    h[i] = focusedPoint[i].xyw;
+    vec4 p = focusedPoint[i];
+    h[i] = i == a ? vec4(0.0, 0.0, 0.0, p.w) : vec4(p.xyz - myAnchor * p.w, p.w);
   }
-  vec3 e[3] = vec3[3](cross(h[1], h[2]), cross(h[2], h[0]), cross(h[0], h[1]));
-  float volume = dot(h[0], e[0]);
-  if (volume == 0.0)
+  vec4 b = h[(a + 1) % 3];
+  vec4 c = h[(a + 2) % 3];
+  float area = b.x * c.y - b.y * c.x;
+  mySlope = vec2(b.z * c.y - b.y * c.z, b.x * c.z - b.z * c.x) / area;
+  if (!(abs(mySlope.x) + abs(mySlope.y) < 1e30))
   {
     return false; // seen edge on
   }
-  myPlane = vec3(0.0);
   for (int i = 0; i < 3; ++i)
   {
-    myEdges[i] = volume < 0.0 ? -e[i] : e[i];
-    myPlane += focusedPoint[i].z / volume * e[i];
+    vec3 e = cross(h[(i + 1) % 3].xyw, h[(i + 2) % 3].xyw);
+    myEdges[i] = e * (area < 0.0 ? -1.0 : 1.0) / max(length(e.xy), 1e-30);
   }
   return true;
 }
@@ -80,7 +92,8 @@ bool rtwBounds(out vec4 bounds, out bool crosses)
 void rtwEmit(vec2 onMap, float depth)
 {
   edges = myEdges;
-  plane = myPlane;
+  anchor = myAnchor;
+  slope = mySlope;
   depthRange = myDepthRange;
   bent = myBent;
   gl_Position = vec4(2.0 * onMap - 1.0, 2.0 * depth - 1.0, 1.0);

@@ -75,11 +75,20 @@ bool ShadowPipeline::Build()
 
 void ShadowPipeline::MakeFrames(const FrameScene& scene, const std::vector<ShadowLight>& lights)
 {
+  const auto extent = [&](const glm::dvec3& direction) {
+    glm::dvec2 along = this->Store.Extent(direction);
+    for (const glm::dvec3& corner : scene.PropCorners)
+    {
+      along.x = std::min(along.x, glm::dot(corner, direction));
+      along.y = std::max(along.y, glm::dot(corner, direction));
+    }
+    return along;
+  };
   this->Frames.clear();
   this->SceneSize = glm::length(scene.High - scene.Low);
   for (const ShadowLight& light : lights)
   {
-    this->Frames.push_back(MakeLightFrame(light, scene.Low, scene.High, this->Viewed.Eye));
+    this->Frames.push_back(MakeLightFrame(light, extent, this->Viewed.Eye));
   }
 }
 
@@ -90,17 +99,12 @@ std::vector<Rectangle> ShadowPipeline::UnsampledReceivers(const FrameScene& scen
   for (const LightFrame& frame : this->Frames)
   {
     Rectangle bounds{ glm::dvec2(infinity), glm::dvec2(-infinity) };
-    for (std::size_t i = 0; i + 1 < scene.UnsampledReceivers.size(); i += 2)
+    for (const glm::dvec3& corner : scene.UnsampledReceivers)
     {
-      const glm::dvec3 ends[] = { scene.UnsampledReceivers[i], scene.UnsampledReceivers[i + 1] };
-      for (int corner = 0; corner < 8; ++corner)
-      {
-        const glm::dvec2 l = frame.Project(
-          { ends[corner & 1].x, ends[corner >> 1 & 1].y, ends[corner >> 2].z });
-        // Behind a spot: no light falls there, but the box may reach anywhere.
-        bounds.Low = glm::min(bounds.Low, l.x < infinity ? l : frame.Bounds.Low);
-        bounds.High = glm::max(bounds.High, l.x < infinity ? l : frame.Bounds.High);
-      }
+      const glm::dvec2 l = frame.Project(corner);
+      // Behind a spot: no light falls there, but the box may reach anywhere.
+      bounds.Low = glm::min(bounds.Low, l.x < infinity ? l : frame.Bounds.Low);
+      bounds.High = glm::max(bounds.High, l.x < infinity ? l : frame.Bounds.High);
     }
     bounds.Low = glm::max(bounds.Low, frame.Bounds.Low);
     bounds.High = glm::min(bounds.High, frame.Bounds.High);
@@ -137,14 +141,18 @@ void ShadowPipeline::Analyse(const FrameScene& scene, const PipelineOptions& opt
 }
 
 // Of all that the layers depend on; never 0.
-std::uint64_t ShadowPipeline::Sign(const FrameScene& scene, const PipelineOptions& options) const
+std::uint64_t ShadowPipeline::Sign(const FrameScene& scene,
+  const std::vector<ShadowLight>& lights, const PipelineOptions& options) const
 {
   std::uint64_t signature = Mix(scene.Signature, options.Signature);
-  for (const LightFrame& frame : this->Frames)
+  for (const ShadowLight& light : lights)
   {
-    signature = Mix(signature, frame.WorldToLight);
-    signature = Mix(signature, frame.Light.ConeAngle);
-    signature = Mix(signature, std::uint64_t(frame.Light.Kind));
+    signature = Mix(signature, std::uint64_t(light.Kind));
+    for (int k = 0; k < 3; ++k)
+    {
+      signature = Mix(Mix(signature, light.Position[k]), light.Direction[k]);
+    }
+    signature = Mix(signature, light.ConeAngle);
   }
   signature = Mix(signature, std::uint64_t(this->Viewed.Width));
   signature = Mix(signature, std::uint64_t(this->Viewed.Height));
@@ -164,33 +172,33 @@ bool ShadowPipeline::Update(const View& view, const FrameScene& scene,
     this->LastSignature = 0;
     return false;
   }
-  this->MakeFrames(scene, lights);
-  const std::uint64_t signature = this->Sign(scene, options);
+  const std::uint64_t signature = this->Sign(scene, lights, options);
   if (options.Caching && signature == this->LastSignature)
   {
     this->Counted.LayersReused = static_cast<int>(this->Frames.size());
     return true;
   }
   this->LastSignature = signature;
+  this->Draw(scene, lights, options, mappers);
   this->Counted.LayersDrawn = static_cast<int>(this->Frames.size());
-  this->Draw(scene, options, mappers);
   return true;
 }
 
-void ShadowPipeline::Draw(
-  const FrameScene& scene, const PipelineOptions& options, const MapperDrawing& mappers)
+void ShadowPipeline::Draw(const FrameScene& scene, const std::vector<ShadowLight>& lights,
+  const PipelineOptions& options, const MapperDrawing& mappers)
 {
-  const int layers = static_cast<int>(this->Frames.size());
+  const int layers = static_cast<int>(lights.size());
   this->Timers.NextFrame();
   StateGuard guard(this->Window);
-  this->Layers.Allocate(options.Resolution, layers);
-  this->Table.Allocate(
-    (this->OwnDrawing ? this->Warp : this->Fallback)->GetCells(), options.Resolution, layers);
   if (this->OwnDrawing)
   {
     StageTimers::Scope timer(this->Timers, "geometry");
     this->Store.Update(scene.Parts);
   }
+  this->MakeFrames(scene, lights);
+  this->Layers.Allocate(options.Resolution, layers);
+  this->Table.Allocate(
+    (this->OwnDrawing ? this->Warp : this->Fallback)->GetCells(), options.Resolution, layers);
   if (this->NeedsViewSamples(options))
   {
     this->DrawViewSamples(guard, scene, options, mappers);

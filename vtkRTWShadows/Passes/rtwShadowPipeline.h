@@ -92,8 +92,10 @@ private:
   void Abandon();
   void MakeFrames(const FrameScene& scene, const std::vector<ShadowLight>& lights);
   std::vector<Rectangle> UnsampledReceivers(const FrameScene& scene) const;
-  std::uint64_t Sign(const FrameScene& scene, const PipelineOptions& options) const;
-  void Draw(const FrameScene& scene, const PipelineOptions& options, const MapperDrawing& mappers);
+  std::uint64_t Sign(const FrameScene& scene, const std::vector<ShadowLight>& lights,
+    const PipelineOptions& options) const;
+  void Draw(const FrameScene& scene, const std::vector<ShadowLight>& lights,
+    const PipelineOptions& options, const MapperDrawing& mappers);
   void DrawViewSamples(StateGuard& guard, const FrameScene& scene, const PipelineOptions& options,
     const MapperDrawing& mappers);
   void Analyse(const FrameScene& scene, const PipelineOptions& options);
