@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 #include <vector>
 
 namespace
@@ -33,28 +34,44 @@ double Agreement(const rtw::Truth& truth, const std::vector<float>& drawn, doubl
 }
 }
 
-TEST(Reference, SeesWhatIsDrawn)
+namespace
 {
-  const int width = 300, height = 200;
+constexpr int WIDTH = 300, HEIGHT = 200;
+
+std::vector<float> DrawDepth(vtkRenderer* renderer, vtkRenderWindow* window)
+{
+  window->SetMultiSamples(0);
+  window->SetSize(WIDTH, HEIGHT);
+  window->AddRenderer(renderer);
+  window->Render();
+  std::vector<float> depth(size_t(WIDTH) * HEIGHT);
+  window->GetZbufferData(0, 0, WIDTH - 1, HEIGHT - 1, depth.data());
+  window->RemoveRenderer(renderer);
+  return depth;
+}
+
+class DepthBuffer : public testing::TestWithParam<const char*>
+{
+};
+}
+
+TEST_P(DepthBuffer, IsWhatTheReferenceSees)
+{
   vtkNew<vtkRTWEGLRenderWindow> window;
   if (!window->SupportsOpenGL())
   {
     GTEST_SKIP() << "no OpenGL here";
   }
-  for (const char* name : { "sandbox", "robot", "duel" })
-  {
-    const rtw::Scene scene = rtw::MakeScene(name);
-    vtkNew<vtkRenderer> renderer;
-    rtw::AddToRenderer(scene, renderer);
-    window->SetMultiSamples(0);
-    window->SetSize(width, height);
-    window->AddRenderer(renderer);
-    window->Render();
-    std::vector<float> depth(size_t(width) * height);
-    window->GetZbufferData(0, 0, width - 1, height - 1, depth.data());
-    auto* light = vtkLight::SafeDownCast(renderer->GetLights()->GetItemAsObject(0));
-    const rtw::Truth truth = rtw::ShadowReference(renderer).Trace(light, width, height);
-    EXPECT_GT(Agreement(truth, depth, scene.Camera.Far / scene.Camera.Near), 0.998) << name;
-    window->RemoveRenderer(renderer);
-  }
+  const rtw::Scene scene = rtw::MakeScene(GetParam());
+  vtkNew<vtkRenderer> whole, pieces;
+  rtw::AddToRenderer(scene, whole);
+  rtw::AddToRenderer(scene, pieces, 5);
+  auto* light = vtkLight::SafeDownCast(whole->GetLights()->GetItemAsObject(0));
+  const rtw::Truth truth = rtw::ShadowReference(whole).Trace(light, WIDTH, HEIGHT);
+  const double farOverNear = scene.Camera.Far / scene.Camera.Near;
+  EXPECT_GT(Agreement(truth, DrawDepth(whole, window), farOverNear), 0.998);
+  EXPECT_GT(Agreement(truth, DrawDepth(pieces, window), farOverNear), 0.998);
 }
+
+INSTANTIATE_TEST_SUITE_P(Reference, DepthBuffer, testing::Values("sandbox", "robot", "duel"),
+  [](const auto& info) { return std::string(info.param); });

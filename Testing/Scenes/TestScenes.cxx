@@ -9,6 +9,7 @@
 #include <vtkLightCollection.h>
 #include <vtkMapper.h>
 #include <vtkNew.h>
+#include <vtkPLYWriter.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkRenderer.h>
@@ -223,6 +224,46 @@ TEST(LoadScene, FitsTheCamera)
   const double distance = glm::distance(scene.Camera.Position, scene.Camera.Focal);
   EXPECT_LT(scene.Camera.Near, distance - 0.5);
   EXPECT_GT(scene.Camera.Far, distance + 0.5);
+}
+
+namespace
+{
+template <class Writer>
+void ExpectSphereComesBack(const std::string& name)
+{
+  vtkNew<vtkSphereSource> sphere;
+  vtkNew<Writer> writer;
+  const std::string path = TemporaryFile(name);
+  writer->SetFileName(path.c_str());
+  writer->SetInputConnection(sphere->GetOutputPort());
+  writer->Write();
+  EXPECT_EQ(rtw::LoadScene(path).Mesh->GetNumberOfPolys(), 96) << name;
+}
+}
+
+TEST(LoadScene, ReadsOtherFormats)
+{
+  ExpectSphereComesBack<vtkPLYWriter>("rtw-sphere.ply");
+  ExpectSphereComesBack<vtkSTLWriter>("rtw-sphere.STL");
+}
+
+TEST(LoadScene, PlacesThePartsOfAGltfFile)
+{
+  const std::string path = TemporaryFile("rtw-two.gltf");
+  std::ofstream(path) << R"({"asset": {"version": "2.0"}, "scene": 0,
+    "scenes": [{"nodes": [0, 1]}],
+    "nodes": [{"mesh": 0, "translation": [10, 0, 0]}, {"mesh": 0, "scale": [1, 3, 1]}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+    "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
+      "min": [0, 0, 0], "max": [1, 1, 0]}],
+    "bufferViews": [{"buffer": 0, "byteLength": 36}],
+    "buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})";
+  const rtw::Scene scene = rtw::LoadScene(path);
+  EXPECT_EQ(scene.Mesh->GetNumberOfPolys(), 2);
+  double bounds[6];
+  scene.Mesh->GetBounds(bounds);
+  EXPECT_EQ(bounds[1], 11);
+  EXPECT_EQ(bounds[3], 3);
 }
 
 TEST(LoadScene, SaysWhatIsWrong)
