@@ -124,7 +124,7 @@ class TestSwitch(unittest.TestCase):
 
     def test_words_for_enumerators(self):
         plotter = Plotter()
-        for word in ("nearest", "bilinear", "PCF"):
+        for word in ("nearest", "bilinear", "BILINEAR"):
             shadows = rtwshadows.enable_shadows(plotter, filter=word)
             self.assertEqual(shadows.GetFilter(), getattr(shadows, word.upper()))
 

@@ -8,16 +8,10 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkRenderer.h>
 #include <vtkRTWEGLRenderWindow.h>
-#include <vtkSphereSource.h>
-#include <vtkUnsignedCharArray.h>
-
-#if __has_include(<vtkRTWShadowMapPass.h>)
 #include <vtkRTWShadowMapPass.h>
 #include <vtkShadowRenderStepsPass.h>
-#define HAVE_SHADOWS 1
-#else
-#define HAVE_SHADOWS 0
-#endif
+#include <vtkSphereSource.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <iostream>
 
@@ -72,15 +66,13 @@ int main()
   window->AddRenderer(renderer);
   window->SetSize(200, 150);
   const int without = CountDark(window);
-#if HAVE_SHADOWS
+
   vtkNew<vtkRTWShadowMapPass> shadows;
   vtkNew<vtkShadowRenderStepsPass> steps;
   steps->SetShadowMapPass(shadows);
   renderer->SetPass(steps);
   const int with = CountDark(window);
-#else
-  const int with = without + 100;
-#endif
+
   std::cout << "dark pixels without shadows: " << without << ", with: " << with << "\n";
   return window->HasContext() && with > without + 20 ? 0 : 1;
 }
