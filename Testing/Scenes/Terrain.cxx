@@ -86,8 +86,9 @@ Scene MakeTerrain(double scale)
   scene.Mesh = mesh.Build();
   const dvec3 eye(150, Height(noise, { 150, 1000 }) + 110, 1000);
   scene.Camera = { eye, { -60, 60, 0 }, { 0, 1, 0 }, 40, 2, 4000 };
-  const double elevation = 12 * PI / 180;
-  scene.Light.Direction = Unit({ std::cos(elevation), -std::sin(elevation), -0.25 });
+  const double elevation = 12 * PI / 180, heading = 35 * PI / 180; // the sun is ahead, to the left
+  scene.Light.Direction = { std::cos(elevation) * std::cos(heading), -std::sin(elevation),
+    std::cos(elevation) * std::sin(heading) };
   return scene;
 }
 }

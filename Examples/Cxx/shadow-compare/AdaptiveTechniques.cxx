@@ -56,17 +56,23 @@ public:
     this->Steps->SetShadowMapPass(pass);
   }
 
-  void Install(vtkRenderer* renderer) override { renderer->SetPass(this->Steps); }
+  void Install(vtkRenderer* renderer) override
+  {
+    this->Renderer = renderer;
+    renderer->SetPass(this->Steps);
+  }
+
   void SetRebuilding(bool rebuilding) override { this->Shadows->SetCaching(!rebuilding); }
 
   std::vector<unsigned char> MakeMask() override
   {
-    vtkImageData* mask = this->Shadows->GetShadowMask(0);
-    if (!mask)
+    if (vtkImageData* mask = this->Shadows->GetShadowMask(0))
     {
-      throw std::runtime_error("the pass gives no mask of the light's shadow");
+      return rtw::MaskOf(mask);
     }
-    return rtw::MaskOf(mask);
+    // It makes no shadows of such a light.
+    const int* size = this->Renderer->GetSize();
+    return std::vector<unsigned char>(size_t(size[0]) * size[1], rtw::MASK_LIT);
   }
 
   int64_t GetMemory() override { return this->Shadows->GetShadowMemory(); }
@@ -89,6 +95,7 @@ public:
 private:
   vtkSmartPointer<vtkAdaptiveShadowMapPass> Shadows;
   vtkNew<vtkShadowRenderStepsPass> Steps;
+  vtkRenderer* Renderer = nullptr;
 };
 }
 
