@@ -3,6 +3,8 @@
 
 #include "rtwView.h"
 
+#include "vtkAssemblyNode.h"
+#include "vtkAssemblyPath.h"
 #include "vtkCamera.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
@@ -78,6 +80,21 @@ void DrawTranslucent(vtkRenderer* renderer, vtkProp* prop)
     keys->Remove(key);
   }
 }
+}
+
+std::set<vtkProp*> ActorsOf(const std::vector<SceneProp>& props)
+{
+  std::set<vtkProp*> actors;
+  for (const SceneProp& prop : props)
+  {
+    actors.insert(prop.Prop);
+    prop.Prop->InitPathTraversal();
+    while (vtkAssemblyPath* path = prop.Prop->GetNextPath())
+    {
+      actors.insert(path->GetLastNode()->GetViewProp());
+    }
+  }
+  return actors;
 }
 
 void DrawMapperCasters(

@@ -6,12 +6,15 @@
 #include "rtwLightFrame.h"
 #include "rtwFrameScene.h"
 
+#include <set>
 #include <vector>
 
 class vtkRenderer;
 
 namespace rtw
 {
+/// The actors that those props consist of: what a mapper knows as its prop.
+std::set<vtkProp*> ActorsOf(const std::vector<SceneProp>& props);
 /// The casters among the props as the light sees them, translucent ones as if they were opaque. The clip coordinates are those
 /// of the light plane; rtwPlaceCaster.glsl takes them onto the map.
 void DrawMapperCasters(

@@ -5,37 +5,29 @@
 // self-shadowing, on a concave one the second.
 uniform sampler2DArray rtwDepths;
 uniform sampler2DArray rtwGradients;
-uniform mat4 rtwToLight[RTW_LIGHTS];      // from view coordinates to (l · w, depth · w, w)
-uniform vec4 rtwTowardsLight[RTW_LIGHTS]; // w 0: the direction to the light; w 1: its position
-uniform vec4 rtwCone[RTW_LIGHTS];         // a spot's: centre, tangent; 0 for a directional light
-uniform vec3 rtwTolerance[RTW_LIGHTS];    // of depth: of its format; of a length over w²; of the constant bias over w²
+uniform mat4 rtwToLight[RTW_LIGHTS];   // from view coordinates to (l · w, depth · w, w)
+uniform vec3 rtwTolerance[RTW_LIGHTS]; // of depth: of its format; of a length over w²; of the constant bias over w²
 uniform float rtwAttenuation[RTW_LIGHTS];
 uniform int rtwReceives;
 
 const float RTW_NOT_LIT = -1.0; // averted or out of reach: VTK's lighting knows that already
 
-// Of the surface at p, towards the viewer. To be called by all fragments.
-vec3 rtwSurfaceNormal(vec3 p, int parallel)
-{
-  vec3 n = cross(dFdx(p), dFdy(p));
-  return (parallel != 0 ? n.z < 0.0 : dot(n, p) > 0.0) ? -n : n;
-}
-
-bool rtwOccluded(int light, ivec2 texel, vec2 centre, vec3 q, vec2 gradient, float tolerance)
+// Both conditions are computed always: four taps with a branch each cost more than the reads that they save.
+float rtwOccluded(int light, ivec2 texel, vec2 centre, vec3 q, vec2 gradient, float tolerance)
 {
   float depth = texelFetch(rtwDepths, ivec3(texel, light), 0).r;
 #if RTW_DEPTH_TEST == 2
-  return depth < q.z - tolerance;
+  return float(depth < q.z - tolerance);
 #else
   vec2 away = q.xy - centre;
   // Bounded, because the tangent plane of a receiver that the light grazes is steep.
   float plane = q.z - max(dot(gradient, away), -0.5);
-  bool occluded = depth < plane - tolerance;
 #if RTW_DEPTH_TEST == 0
   vec2 slope = texelFetch(rtwGradients, ivec3(texel, light), 0).rg;
-  occluded = occluded && depth + dot(slope, away) < q.z - tolerance;
+  return float(max(depth - plane, depth + dot(slope, away) - q.z) < -tolerance);
+#else
+  return float(depth - plane < -tolerance);
 #endif
-  return occluded;
 #endif
 }
 
@@ -46,7 +38,7 @@ float rtwFiltered(int light, vec3 q, vec2 gradient, float tolerance)
   vec2 at = rtwWarp(light, q.xy) * float(rtwWarpSize.y);
 #if RTW_FILTER == 0
   ivec2 texel = clamp(ivec2(floor(at)), 0, last);
-  return rtwOccluded(light, texel, rtwTexelCentres(light, texel).xz, q, gradient, tolerance) ? 0.0 : 1.0;
+  return 1.0 - rtwOccluded(light, texel, rtwTexelCentres(light, texel).xz, q, gradient, tolerance);
 #else
   ivec2 corner = clamp(ivec2(floor(at - 0.5)), 0, last - 1);
   vec2 f = clamp(at - 0.5 - vec2(corner), 0.0, 1.0);
@@ -61,47 +53,37 @@ float rtwFiltered(int light, vec3 q, vec2 gradient, float tolerance)
 }
 
 // How much of a light reaches p, between 0 and 1, or RTW_NOT_LIT. To be called by all fragments.
-float rtwVisibility(int light, vec3 p, vec3 normal)
+float rtwVisibility(int light, vec3 p)
 {
-  vec4 towards = rtwTowardsLight[light];
-  vec3 toLight = towards.w > 0.0 ? towards.xyz - p : towards.xyz;
   vec4 h = rtwToLight[light] * vec4(p, 1.0);
-  vec3 l = h.xyz / h.w;
+  vec3 l = h.xyz * (1.0 / h.w);
   // Differences on one plane give its gradient whatever their length.
   vec3 dx = dFdx(l);
   vec3 dy = dFdy(l);
   float area = dx.x * dy.y - dx.y * dy.x;
-  vec2 gradient = vec2(dx.z * dy.y - dy.z * dx.y, dx.x * dy.z - dy.x * dx.z) / area;
-  if (!(abs(gradient.x) + abs(gradient.y) < 1e30))
-  {
-    gradient = vec2(0.0);
-  }
-  bool reached = towards.w == 0.0 || (h.w > 0.0 && distance(l.xy, rtwCone[light].xy) < rtwCone[light].z);
-  if (rtwReceives == 0 || !reached || !(dot(normal, toLight) > 0.0))
-  {
-    return RTW_NOT_LIT;
-  }
+  // A surface that faces both viewer and light is seen the other way round from the light plane's back.
+  bool faces = area < 0.0 && h.w > 0.0 && rtwReceives != 0;
+  float visibility = faces ? 1.0 : RTW_NOT_LIT;
   vec4 focus = rtwFocus(light);
   vec3 q = vec3(rtwFocused(focus, l.xy), l.z);
-  if (any(lessThan(q.xy, vec2(0.0))) || any(greaterThan(q.xy, vec2(1.0))))
+  if (faces && all(equal(clamp(q.xy, 0.0, 1.0), q.xy)))
   {
-    return 1.0;
-  }
-  gradient /= focus.yw;
-  vec3 t = rtwTolerance[light];
-  // A length in units of depth shrinks with the square of the distance to a spot; w is 1 elsewhere.
+    vec2 gradient = vec2(dx.z * dy.y - dy.z * dx.y, dx.x * dy.z - dy.x * dx.z) / (area * focus.yw);
+    vec3 t = rtwTolerance[light];
+    // A length in units of depth shrinks with the square of the distance to a spot; w is 1 elsewhere.
 #if RTW_DEPTH_TEST == 2
-  float tolerance = t.z / (h.w * h.w);
+    float tolerance = t.z / (h.w * h.w);
 #else
-  float tolerance = t.x + t.y / (h.w * h.w) + 1e-6 * (abs(gradient.x) + abs(gradient.y));
+    float tolerance = t.x + t.y / (h.w * h.w) + 1e-6 * (abs(gradient.x) + abs(gradient.y));
 #endif
-  return rtwFiltered(light, q, gradient, tolerance);
+    visibility = rtwFiltered(light, q, gradient, tolerance);
+  }
+  return visibility;
 }
 
 // What a light's colour is to be multiplied by.
-float rtwFactor(int light, vec3 p, vec3 normal)
+float rtwFactor(int light, float visibility)
 {
-  float visibility = rtwVisibility(light, p, normal);
   return visibility == RTW_NOT_LIT ? 1.0 : mix(1.0, visibility, rtwAttenuation[light]);
 }
 

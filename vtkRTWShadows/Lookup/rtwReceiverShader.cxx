@@ -90,15 +90,58 @@ std::string GeometryCode(const std::string& fragment)
   return std::string("rtwGeometryOutput(") + depth + ")";
 }
 
+// One evaluation a light serves picture and mask.
 std::string FactorCode(const ReceiverShape& shape)
 {
-  std::string code = "  vec3 rtwNormal = rtwSurfaceNormal(vertexVC.xyz, cameraParallel);\n";
+  std::string code = "  float rtwMasked = RTW_NOT_LIT;\n";
   for (std::size_t k = 0; k < shape.Switched.size(); ++k)
   {
     const std::string n = std::to_string(k);
-    code += "  float rtwFactor" + n + " = rtwFactor(" + n + ", vertexVC.xyz, rtwNormal);\n";
+    code += "  float rtwVisibility" + n + " = rtwVisibility(" + n +
+      ", vertexVC.xyz);\n  float rtwFactor" + n + " = rtwFactor(" + n +
+      ", rtwVisibility" + n + ");\n  rtwMasked = rtwLayer == " + n + " ? rtwVisibility" + n +
+      " : rtwMasked;\n";
   }
   return code;
+}
+
+std::string Definitions(const ReceiverShape& shape)
+{
+  return "#define RTW_LIGHTS " + std::to_string(shape.Switched.size()) + "\n#define RTW_FILTER " +
+    std::to_string(shape.Filter) + "\n#define RTW_DEPTH_TEST " + std::to_string(shape.DepthTest) +
+    "\n";
+}
+
+// What the light pass and the view samples ask of a mapper.
+void InjectGeometry(ReceiverSources sources, const ReceiverShape& shape, std::string& code,
+  std::string& atLight, std::string& atEnd)
+{
+  std::string& fragment = sources.Fragment;
+  const std::string output = GeometryCode(fragment);
+  code += rtwMapperOutput;
+  // A texture may cut holes; only what comes after it knows.
+  if (Contains(fragment, "tcoordVCVSOutput") && Contains(fragment, "texture"))
+  {
+    atEnd += "  if (rtwPhase == 1 || rtwPhase == 2)\n  {\n    if (gl_FragData[0].a < 0.5) { discard; }\n"
+             "    gl_FragData[0] = " + output + ";\n  }\n";
+  }
+  else
+  {
+    atLight +=
+      "  if (rtwPhase == 1 || rtwPhase == 2) { gl_FragData[0] = " + output + "; return; }\n";
+  }
+  // The light camera may be of another kind than the viewer's, whose kind VTK tells the shaders.
+  const std::string kind =
+    "int rtwCameraParallel() { return rtwPhase == 1 ? rtwLightParallel : cameraParallel; }\n";
+  ReplaceIdentifier(fragment, "cameraParallel", "rtwCameraParallel()");
+  code += kind;
+  const bool geometryKnows = Contains(sources.Geometry, "uniform int cameraParallel");
+  ReplaceIdentifier(sources.Geometry, "cameraParallel", "rtwCameraParallel()");
+  InjectPlacing(sources.Vertex, sources.Geometry, shape);
+  if (geometryKnows)
+  {
+    InsertBeforeMain(sources.Geometry, kind);
+  }
 }
 }
 
@@ -118,27 +161,16 @@ void MarkPlaces(std::string& fragment)
     std::string("//VTK::TCoord::Impl\n") + EndMark + "\n", false);
 }
 
-void InjectReceiver(ReceiverSources sources, const ReceiverShape& shape)
+void InjectReceiver(ReceiverSources sources, const ReceiverShape& shape, bool drawsItself)
 {
   std::string& fragment = sources.Fragment;
   // Unlit primitives and point gaussians know no position and receive nothing.
-  const bool lit =
-    Contains(fragment, "vec4 vertexVC =") || Contains(fragment, "vertexVC.xyz");
-  // A texture may cut holes; only what comes after it knows.
-  const bool textured = Contains(fragment, "tcoordVCVSOutput") && Contains(fragment, "texture");
-  const std::string geometry = GeometryCode(fragment);
-  std::string code = "#define RTW_LIGHTS " + std::to_string(shape.Switched.size()) +
-    "\n#define RTW_FILTER " + std::to_string(shape.Filter) + "\n#define RTW_DEPTH_TEST " +
-    std::to_string(shape.DepthTest) + "\n" + WarpCode(shape) + rtwMapperOutput;
+  const bool lit = Contains(fragment, "vec4 vertexVC =") || Contains(fragment, "vertexVC.xyz");
+  std::string code = Definitions(shape) + WarpCode(shape);
   std::string atLight, atEnd;
-  if (!textured)
+  if (drawsItself)
   {
-    atLight = "  if (rtwPhase == 1 || rtwPhase == 2) { gl_FragData[0] = " + geometry + "; return; }\n";
-  }
-  else
-  {
-    atEnd = "  if (rtwPhase == 1 || rtwPhase == 2)\n  {\n    if (gl_FragData[0].a < 0.5) { discard; }\n"
-            "    gl_FragData[0] = " + geometry + ";\n  }\n";
+    InjectGeometry(sources, shape, code, atLight, atEnd);
   }
   if (lit)
   {
@@ -150,20 +182,15 @@ void InjectReceiver(ReceiverSources sources, const ReceiverShape& shape)
       ReplaceIdentifier(
         fragment, colour, "(rtwFactor" + std::to_string(k) + " * " + colour + ")");
     }
-    atEnd += "  if (rtwPhase == 3) { gl_FragData[0] = vec4(vec3(rtwMaskValue("
-             "rtwVisibility(rtwLayer, vertexVC.xyz, rtwNormal))), 1.0); }\n";
+    atEnd += "  if (rtwPhase == 3) { gl_FragData[0] = vec4(vec3(rtwMaskValue(rtwMasked)), 1.0); }\n";
   }
   else
   {
     atEnd += "  if (rtwPhase == 3) { gl_FragData[0] = vec4(vec3(128.0 / 255.0), 1.0); }\n";
   }
-  // The light camera may be of another kind than the viewer's, whose kind VTK tells the shader.
-  ReplaceIdentifier(fragment, "cameraParallel", "rtwCameraParallel()");
-  code += "int rtwCameraParallel() { return rtwPhase == 1 ? rtwLightParallel : cameraParallel; }\n";
   vtkShaderProgram::Substitute(fragment, LitMark, atLight, false);
   vtkShaderProgram::Substitute(fragment, EndMark, atEnd, false);
   InsertBeforeMain(fragment, code);
-  InjectPlacing(sources.Vertex, sources.Geometry, shape);
 }
 
 ReceiverLights ReceiverLights::Make(
@@ -173,10 +200,7 @@ ReceiverLights ReceiverLights::Make(
   lights.Count = static_cast<int>(frames.size());
   for (const LightFrame& frame : frames)
   {
-    const bool spot = frame.Light.Kind == LightKind::Spot;
     const glm::mat4 toLight(frame.WorldToLight * view.ViewToWorld);
-    const glm::vec4 towards(view.WorldToView *
-      (spot ? glm::dvec4(frame.Light.Position, 1) : glm::dvec4(-frame.Light.Direction, 0)));
     for (int column = 0; column < 4; ++column)
     {
       for (int row = 0; row < 4; ++row)
@@ -184,10 +208,6 @@ ReceiverLights ReceiverLights::Make(
         lights.ToLight.push_back(toLight[column][row]);
       }
     }
-    lights.Towards.insert(
-      lights.Towards.end(), { towards.x, towards.y, towards.z, spot ? 1.f : 0.f });
-    lights.Cone.insert(lights.Cone.end(),
-      { float(frame.ConeCentre.x), float(frame.ConeCentre.y), float(frame.ConeTangent), 0.f });
     const double depthOfLength = frame.DepthOfLength();
     lights.Tolerance.insert(lights.Tolerance.end(),
       { 4e-7f, float(2e-6 * size * depthOfLength), float(bias * size * depthOfLength) });
@@ -211,13 +231,8 @@ void ReceiverUniforms::Set(vtkShaderProgram* program) const
   {
     return;
   }
-  const auto fours = [](const std::vector<float>& values) {
-    return reinterpret_cast<const float(*)[4]>(values.data());
-  };
   program->SetUniformMatrix4x4v(
     "rtwToLight", n, const_cast<float*>(this->Lights.ToLight.data()));
-  program->SetUniform4fv("rtwTowardsLight", n, fours(this->Lights.Towards));
-  program->SetUniform4fv("rtwCone", n, fours(this->Lights.Cone));
   program->SetUniform3fv("rtwTolerance", n,
     reinterpret_cast<const float(*)[3]>(this->Lights.Tolerance.data()));
   program->SetUniform1fv("rtwAttenuation", n, this->Lights.Attenuation.data());

@@ -42,13 +42,13 @@ struct ReceiverSources
 
 /// Before VTK puts its own code in: marks the places that are gone afterwards.
 void MarkPlaces(std::string& fragment);
-/// After it: fills them.
-void InjectReceiver(ReceiverSources sources, const ReceiverShape& shape);
+/// After it: fills them. `drawsItself` where the mapper has a part in the light pass and the view samples too.
+void InjectReceiver(ReceiverSources sources, const ReceiverShape& shape, bool drawsItself);
 
 /// Each light's parameters, as arrays of floats.
 struct ReceiverLights
 {
-  std::vector<float> ToLight, Towards, Cone, Tolerance, Attenuation;
+  std::vector<float> ToLight, Tolerance, Attenuation;
   int Count = 0;
 
   static ReceiverLights Make(

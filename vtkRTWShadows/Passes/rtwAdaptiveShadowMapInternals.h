@@ -16,6 +16,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 
+#include <set>
 #include <vector>
 
 class vtkAdaptiveShadowMapPass::Internals
@@ -27,6 +28,7 @@ public:
   rtw::ReceiverUniforms Uniforms;
   rtw::LightCollection Lights;
   rtw::FrameScene Scene;
+  std::set<vtkProp*> DrawnByMappers; ///< the actors of Scene.Props, of which only addresses are used
   rtw::MaskRenderer Mask;
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   vtkWeakPointer<vtkRenderer> Renderer; ///< that the last bake was for

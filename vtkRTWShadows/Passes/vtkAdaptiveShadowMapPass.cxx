@@ -16,7 +16,8 @@
 #include "vtkShaderProgram.h"
 #include "vtkShadowMapPartition.h"
 
-#include <algorithm>
+#include <set>
+#include <utility>
 
 vtkStandardNewMacro(vtkAdaptiveShadowMapPass);
 vtkInformationKeyMacro(vtkAdaptiveShadowMapPass, CASTS_SHADOW, Integer);
@@ -118,9 +119,11 @@ void vtkAdaptiveShadowMapPass::Bake(vtkRenderer* renderer)
   {
     shape.Switched.push_back(light.Switched);
   }
-  if (!(shape == my.Shape))
+  std::set<vtkProp*> drawn = rtw::ActorsOf(my.Scene.Props);
+  if (!(shape == my.Shape) || drawn != my.DrawnByMappers)
   {
     my.Shape = shape;
+    my.DrawnByMappers = std::move(drawn);
     this->StageTime.Modified();
   }
   my.Pipeline.Update(rtw::ViewOf(renderer), my.Scene, my.Lights.Shadowing, my.Options,
@@ -194,11 +197,12 @@ bool vtkAdaptiveShadowMapPass::PreReplaceShaderValues(
 }
 
 bool vtkAdaptiveShadowMapPass::PostReplaceShaderValues(std::string& vertexShader,
-  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp*)
+  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop)
 {
   if (vtkPolyDataMapper::SafeDownCast(mapper))
   {
-    rtw::InjectReceiver({ vertexShader, geometryShader, fragmentShader }, this->Shadows->Shape);
+    rtw::InjectReceiver({ vertexShader, geometryShader, fragmentShader }, this->Shadows->Shape,
+      this->Shadows->DrawnByMappers.count(prop) > 0);
   }
   return true;
 }
