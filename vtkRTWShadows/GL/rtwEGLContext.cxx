@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rtwEGLContext.h"
 
+#include "rtwGLXContext.h"
+
+rtwEGLContext::rtwEGLContext() = default;
+
 #if RTW_HAVE_EGL
 
 #define EGL_NO_X11 // else the headers bring in Xlib and its macros
@@ -9,6 +13,7 @@
 #include <EGL/eglext.h>
 
 #include <cstring>
+#include <utility>
 #include <vector>
 
 namespace
@@ -220,7 +225,11 @@ rtwEGLContext::~rtwEGLContext()
   {
     return;
   }
-  this->ReleaseCurrent();
+  if (this->IsCurrent())
+  {
+    this->ReleaseCurrent();
+  }
+  this->GiveBack();
   if (this->Surface)
   {
     eglDestroySurface(this->Display, this->Surface);
@@ -236,18 +245,51 @@ rtwEGLContext::Status rtwEGLContext::MakeCurrent()
   {
     return Status::Current;
   }
-  if (eglMakeCurrent(this->Display, this->Surface, this->Surface, this->Context))
+  EGLBoolean made = eglMakeCurrent(this->Display, this->Surface, this->Surface, this->Context);
+  EGLint error = made ? EGL_SUCCESS : eglGetError();
+  if (error == EGL_BAD_ACCESS && this->Displace())
+  {
+    made = eglMakeCurrent(this->Display, this->Surface, this->Surface, this->Context);
+    error = made ? EGL_SUCCESS : eglGetError();
+    if (!made)
+    {
+      this->GiveBack();
+    }
+  }
+  if (made)
   {
     return Status::Current;
   }
-  return eglGetError() == EGL_CONTEXT_LOST ? Status::Lost : Status::Failed;
+  // All but BAD_ACCESS say that what was there when it was made is there no more.
+  return error == EGL_BAD_ACCESS ? Status::Failed : Status::Lost;
 }
 
 void rtwEGLContext::ReleaseCurrent()
 {
-  if (this->IsCurrent())
+  eglMakeCurrent(this->Display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+}
+
+bool rtwEGLContext::Displace()
+{
+  std::unique_ptr<rtwGLXContext> taken = rtwGLXContext::Take();
+  if (!taken)
   {
-    eglMakeCurrent(this->Display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    return false;
+  }
+  if (this->Displaced)
+  {
+    this->Displaced->Forget(); // GLX has had the place again meanwhile
+  }
+  this->Displaced = std::move(taken);
+  return true;
+}
+
+void rtwEGLContext::GiveBack()
+{
+  if (this->Displaced)
+  {
+    this->ReleaseCurrent();
+    this->Displaced.reset();
   }
 }
 
@@ -288,6 +330,8 @@ rtwEGLContext::Status rtwEGLContext::MakeCurrent()
 }
 
 void rtwEGLContext::ReleaseCurrent() {}
+
+void rtwEGLContext::GiveBack() {}
 
 bool rtwEGLContext::IsCurrent() const
 {

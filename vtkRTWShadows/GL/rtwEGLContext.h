@@ -5,6 +5,8 @@
 #include <memory>
 #include <string>
 
+class rtwGLXContext;
+
 /**
  * An OpenGL core context by EGL that needs no window system. It owns the context and its tiny
  * pbuffer; the EGL display stays initialized, for reasons given at its destructor.
@@ -28,11 +30,11 @@ public:
     }
   };
 
-  /** Why MakeCurrent failed, or did not. */
+  /** What came of MakeCurrent. */
   enum class Status
   {
     Current,
-    Lost, ///< the driver dropped it (a reset or a suspend): only a new one helps
+    Lost, ///< by a reset of the driver, or by an eglTerminate elsewhere: only a new one helps
     Failed
   };
 
@@ -49,8 +51,12 @@ public:
   rtwEGLContext(const rtwEGLContext&) = delete;
   void operator=(const rtwEGLContext&) = delete;
 
+  /** Makes it current in this thread; a GLX context that is so has to make room. */
   Status MakeCurrent();
+  /** After this, no context of EGL is current in this thread. */
   void ReleaseCurrent();
+  /** Gives the place back to the GLX context that made room for this one, if one did. */
+  void GiveBack();
   bool IsCurrent() const;
 
   /** The device it lives on, -1 where that is none of the enumerated ones. */
@@ -60,7 +66,8 @@ public:
   void* GetNativeSurface() const { return this->Surface; }
 
 private:
-  rtwEGLContext() = default;
+  rtwEGLContext();
+  bool Displace();
   bool Open(void* display, const Request& request, std::string& why);
 
   // EGL's handles are void*; its headers stay out of this one, since they may bring X11's macros.
@@ -68,6 +75,7 @@ private:
   void* Context = nullptr;
   void* Surface = nullptr;
   int DeviceIndex = -1;
+  std::unique_ptr<rtwGLXContext> Displaced;
 };
 
 #endif

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRTWEGLRenderWindow.h"
 
-#include "rtwEGLContext.h"
+#include "rtwEGLRenderWindowInternals.h"
 #include "rtwOpenGL.h"
 
 #include "vtkCollection.h"
@@ -9,28 +9,7 @@
 #include "vtkRenderer.h"
 #include "vtkRendererCollection.h"
 
-#include <string>
-#include <vector>
-
 vtkStandardNewMacro(vtkRTWEGLRenderWindow);
-
-struct vtkRTWEGLRenderWindow::vtkInternals
-{
-  std::unique_ptr<rtwEGLContext> Context;
-
-  // The request that failed last, so that it is not tried again at each frame and told but once.
-  rtwEGLContext::Request FailedRequest;
-  std::string WhyNot;
-  bool Reported = false;
-
-  // While resources are released, MakeCurrent must not bring a context to life.
-  bool Releasing = false;
-
-  // Whether Start() got as far as to push the framebuffer bindings that End() pops.
-  bool Started = false;
-
-  std::string Capabilities;
-};
 
 vtkRTWEGLRenderWindow::vtkRTWEGLRenderWindow()
   : Internals(new vtkInternals)
@@ -68,81 +47,6 @@ vtkRTWEGLRenderWindow::~vtkRTWEGLRenderWindow()
       renderer->SetRenderWindow(nullptr);
     }
   }
-}
-
-void vtkRTWEGLRenderWindow::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "DeviceIndex: " << this->DeviceIndex << "\n";
-  os << indent << "CurrentDeviceIndex: " << this->GetCurrentDeviceIndex() << "\n";
-  os << indent << "MaximumOpenGLVersion: " << this->MaximumOpenGLMajorVersion << "."
-     << this->MaximumOpenGLMinorVersion << "\n";
-  os << indent << "HasContext: " << (this->HasContext() ? "yes" : "no") << "\n";
-  if (!this->Internals->WhyNot.empty())
-  {
-    os << indent << "WhyNoContext: " << this->Internals->WhyNot << "\n";
-  }
-}
-
-void vtkRTWEGLRenderWindow::SetDeviceIndex(int index)
-{
-  this->Superclass::SetDeviceIndex(index < -1 ? -1 : index);
-}
-
-int vtkRTWEGLRenderWindow::GetNumberOfDevices()
-{
-  return rtwEGLContext::GetNumberOfDevices();
-}
-
-int vtkRTWEGLRenderWindow::GetCurrentDeviceIndex()
-{
-  return this->HasContext() ? this->Internals->Context->GetDeviceIndex() : -1;
-}
-
-void vtkRTWEGLRenderWindow::SetMaximumOpenGLVersion(int major, int minor)
-{
-  const bool exists =
-    (major == 3 && minor >= 2 && minor <= 3) || (major == 4 && minor >= 0 && minor <= 6);
-  if (!exists)
-  {
-    vtkErrorMacro("MaximumOpenGLVersion is "
-      << major << "." << minor << ", but must be 3.2, 3.3 or 4.0 to 4.6; it stays "
-      << this->MaximumOpenGLMajorVersion << "." << this->MaximumOpenGLMinorVersion << ".");
-    return;
-  }
-  if (this->MaximumOpenGLMajorVersion != major || this->MaximumOpenGLMinorVersion != minor)
-  {
-    this->MaximumOpenGLMajorVersion = major;
-    this->MaximumOpenGLMinorVersion = minor;
-    this->Modified();
-  }
-}
-
-int vtkRTWEGLRenderWindow::GetOpenGLMajorVersion()
-{
-  int major = 0;
-  int minor = 0;
-  if (this->EnsureInitialized(true))
-  {
-    this->GetOpenGLVersion(major, minor);
-  }
-  return major;
-}
-
-int vtkRTWEGLRenderWindow::GetOpenGLMinorVersion()
-{
-  int major = 0;
-  int minor = 0;
-  if (this->EnsureInitialized(true))
-  {
-    this->GetOpenGLVersion(major, minor);
-  }
-  return minor;
-}
-
-bool vtkRTWEGLRenderWindow::HasContext()
-{
-  return this->Internals->Context != nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -187,26 +91,26 @@ bool vtkRTWEGLRenderWindow::EnsureContext(bool report)
 
 bool vtkRTWEGLRenderWindow::EnsureInitialized(bool report)
 {
-  if (!this->EnsureContext(report))
+  // The second attempt is for a context that the first finds lost.
+  for (int attempt = 0; attempt < 2 && !this->IsCurrent(); ++attempt)
   {
-    return false;
+    if (!this->EnsureContext(report))
+    {
+      return false;
+    }
+    this->MakeCurrent();
   }
-  this->MakeCurrent();
-  if (!this->IsCurrent())
-  {
-    return false;
-  }
-  if (!this->Initialized)
+  if (this->IsCurrent() && !this->Initialized)
   {
     this->OpenGLInit();
   }
-  return this->Initialized;
+  return this->IsCurrent() && this->Initialized;
 }
 
 void vtkRTWEGLRenderWindow::MakeCurrent()
 {
   vtkInternals& self = *this->Internals;
-  if (!this->EnsureContext(true))
+  if (self.Releasing || !this->EnsureContext(true))
   {
     return;
   }
@@ -223,8 +127,7 @@ void vtkRTWEGLRenderWindow::MakeCurrent()
       {
         self.Reported = true;
         vtkErrorMacro("The OpenGL context cannot be made current, so nothing is drawn: another "
-                      "thread has it, or this thread has a context of another API (GLX) current, "
-                      "which must be released first.");
+                      "thread has it. Call ReleaseCurrent() there first.");
       }
       return;
   }
@@ -232,8 +135,8 @@ void vtkRTWEGLRenderWindow::MakeCurrent()
 
 void vtkRTWEGLRenderWindow::ForgetLostContext()
 {
-  vtkWarningMacro("The driver lost the OpenGL context; the next Render() makes a new one.");
-  this->Internals->Context.reset();
+  vtkWarningMacro("The OpenGL context is lost, by a reset of the driver or by an eglTerminate of "
+                  "other code; a new one is made when next needed.");
   this->Finalize();
 }
 
@@ -244,10 +147,26 @@ bool vtkRTWEGLRenderWindow::IsCurrent()
 
 void vtkRTWEGLRenderWindow::PushContext()
 {
-  this->MakeCurrent();
+  this->Internals->BeginUse();
+  if (this->HasContext()) // else there is nothing to be used or released in one
+  {
+    this->MakeCurrent();
+  }
 }
 
-void vtkRTWEGLRenderWindow::PopContext() {}
+void vtkRTWEGLRenderWindow::PopContext()
+{
+  this->Internals->EndUse();
+}
+
+void vtkRTWEGLRenderWindow::ReleaseCurrent()
+{
+  if (this->IsCurrent())
+  {
+    this->Internals->Context->ReleaseCurrent();
+    this->Internals->Context->GiveBack();
+  }
+}
 
 void vtkRTWEGLRenderWindow::Finalize()
 {
@@ -256,9 +175,10 @@ void vtkRTWEGLRenderWindow::Finalize()
   {
     return;
   }
-  if (self.Context)
+  if (self.Context && self.Context->MakeCurrent() != rtwEGLContext::Status::Current)
   {
-    self.Context->MakeCurrent();
+    // The resources went with the context, and none of the same name may be deleted in another.
+    self.Context->ReleaseCurrent();
   }
   self.Releasing = true;
   if (this->Initialized)
@@ -267,7 +187,11 @@ void vtkRTWEGLRenderWindow::Finalize()
   }
   self.Context.reset();
   self.Releasing = false;
-  self.Started = false;
+  if (self.Started)
+  {
+    self.Started = false;
+    self.EndUse();
+  }
   this->Mapped = 0;
 }
 
@@ -322,6 +246,7 @@ void vtkRTWEGLRenderWindow::OpenGLInitContext()
 
 void vtkRTWEGLRenderWindow::Initialize()
 {
+  const vtkInternals::Use use(*this->Internals);
   this->EnsureInitialized(true);
 }
 
@@ -329,8 +254,12 @@ void vtkRTWEGLRenderWindow::Start()
 {
   if (this->EnsureInitialized(true))
   {
+    if (!this->Internals->Started)
+    {
+      this->Internals->Started = true;
+      this->Internals->BeginUse();
+    }
     this->Superclass::Start();
-    this->Internals->Started = true;
   }
 }
 
@@ -340,77 +269,44 @@ void vtkRTWEGLRenderWindow::End()
   {
     this->Internals->Started = false;
     this->Superclass::End();
+    this->Internals->EndUse();
   }
 }
 
 void vtkRTWEGLRenderWindow::Render()
 {
+  const vtkInternals::Use use(*this->Internals);
   if (this->EnsureInitialized(true))
   {
     this->Superclass::Render();
   }
 }
 
+bool vtkRTWEGLRenderWindow::HasPicture()
+{
+  if (this->HasContext())
+  {
+    this->MakeCurrent();
+  }
+  if (this->IsCurrent() && this->Initialized)
+  {
+    return true;
+  }
+  vtkWarningMacro("Nothing is rendered, so there are no pixels to read. Call Render() first.");
+  return false;
+}
+
 int vtkRTWEGLRenderWindow::ReadPixels(
   const vtkRecti& rect, int front, int glFormat, int glType, void* data, int right)
 {
-  if (!this->Initialized)
-  {
-    vtkWarningMacro("Nothing has been rendered yet, so there are no pixels to read.");
-    return VTK_ERROR;
-  }
-  return this->Superclass::ReadPixels(rect, front, glFormat, glType, data, right);
+  const vtkInternals::Use use(*this->Internals);
+  return this->HasPicture()
+    ? this->Superclass::ReadPixels(rect, front, glFormat, glType, data, right)
+    : VTK_ERROR;
 }
 
 int vtkRTWEGLRenderWindow::GetZbufferData(int x1, int y1, int x2, int y2, float* z)
 {
-  if (!this->Initialized)
-  {
-    vtkWarningMacro("Nothing has been rendered yet, so there is no depth to read.");
-    return VTK_ERROR;
-  }
-  return this->Superclass::GetZbufferData(x1, y1, x2, y2, z);
-}
-
-//------------------------------------------------------------------------------
-// Questions
-
-int vtkRTWEGLRenderWindow::SupportsOpenGL()
-{
-  const bool works = this->EnsureInitialized(false);
-  this->OpenGLSupportTested = true;
-  this->OpenGLSupportResult = works ? 1 : 0;
-  this->OpenGLSupportMessage =
-    works ? std::string("OpenGL works, by EGL") : "No OpenGL by EGL: " + this->Internals->WhyNot;
-  return this->OpenGLSupportResult;
-}
-
-vtkTypeBool vtkRTWEGLRenderWindow::IsDirect()
-{
-  return this->HasContext() ? 1 : 0;
-}
-
-const char* vtkRTWEGLRenderWindow::ReportCapabilities()
-{
-  if (this->EnsureInitialized(false))
-  {
-    return this->Superclass::ReportCapabilities();
-  }
-  this->Internals->Capabilities = "No OpenGL context: " + this->Internals->WhyNot + "\n";
-  return this->Internals->Capabilities.c_str();
-}
-
-void* vtkRTWEGLRenderWindow::GetGenericContext()
-{
-  return this->HasContext() ? this->Internals->Context->GetNativeContext() : nullptr;
-}
-
-void* vtkRTWEGLRenderWindow::GetGenericDisplayId()
-{
-  return this->HasContext() ? this->Internals->Context->GetNativeDisplay() : nullptr;
-}
-
-void* vtkRTWEGLRenderWindow::GetGenericDrawable()
-{
-  return this->HasContext() ? this->Internals->Context->GetNativeSurface() : nullptr;
+  const vtkInternals::Use use(*this->Internals);
+  return this->HasPicture() ? this->Superclass::GetZbufferData(x1, y1, x2, y2, z) : VTK_ERROR;
 }

@@ -12,11 +12,13 @@
  *
  * It is for VTK builds that cannot draw without an X server (up to 9.3 most packages), and works
  * with all others. The OpenGL context comes into being when first needed, and anew after
- * Finalize(). It is a core context of the highest version that the driver gives, at least 3.2.
+ * Finalize() or when the driver lost it. It is a core context of the highest version that the
+ * driver gives, at least 3.2.
  *
- * Several windows may live at once, and windows of other classes beside them, though a thread
- * that has a context of another API (GLX) current must release it first. As with every VTK window,
- * one window belongs to one thread at a time.
+ * Several windows may live at once. A thread has room for one current OpenGL context: an X window's
+ * (GLX) is put aside while something is done here, and given back afterwards. But this context
+ * stays current where there was none before, so call ReleaseCurrent() before an X window is first
+ * drawn after this one, and before this window is used in another thread.
  *
  * The picture is in the window's own framebuffers: read it by vtkWindowToImageFilter or
  * GetPixelData(). MultiSamples works as usual. A size of zero in a direction counts as 300.
@@ -30,6 +32,7 @@
 #include "vtkGenericOpenGLRenderWindow.h"
 #include "vtkRTWShadowsModule.h" // for export macro
 
+#include <array>  // for the version
 #include <memory> // for unique_ptr
 
 class rtwEGLContext;
@@ -121,6 +124,13 @@ public:
   ///@}
 
   /**
+   * Let go of this thread's hold on the context, so that another thread, or a window of another
+   * API, can have it or its place. Whatever needs the context takes it again. Without effect where
+   * it is not current.
+   */
+  void ReleaseCurrent();
+
+  /**
    * Release all graphics resources, those of the renderers' props too, and the context. The next
    * Render() makes a new one.
    */
@@ -165,6 +175,8 @@ private:
 
   bool EnsureContext(bool report);
   bool EnsureInitialized(bool report);
+  bool HasPicture();
+  std::array<int, 2> QueryOpenGLVersion();
   void ForgetLostContext();
 
   int MaximumOpenGLMajorVersion = 4;
