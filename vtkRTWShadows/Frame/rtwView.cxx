@@ -3,6 +3,8 @@
 
 #include "vtkCamera.h"
 #include "vtkMatrix4x4.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkRenderState.h"
 #include "vtkRenderer.h"
 
 #include <cmath>
@@ -42,12 +44,20 @@ bool View::IsUsable() const
   return true;
 }
 
-View ViewOf(vtkRenderer* renderer)
+View ViewOf(const vtkRenderState* state)
 {
+  vtkRenderer* renderer = state->GetRenderer();
   vtkCamera* camera = renderer->GetActiveCamera();
   View view;
-  int origin[2];
-  renderer->GetTiledSizeAndOrigin(&view.Width, &view.Height, origin, origin + 1);
+  renderer->GetTiledSizeAndOrigin(&view.Width, &view.Height, &view.OriginX, &view.OriginY);
+  if (auto* target = vtkOpenGLFramebufferObject::SafeDownCast(state->GetFrameBuffer()))
+  {
+    int size[2];
+    target->GetLastSize(size);
+    view.Width = size[0];
+    view.Height = size[1];
+    view.OriginX = view.OriginY = 0;
+  }
   view.WorldToView = ToGlm(camera->GetModelViewTransformMatrix());
   view.ViewToWorld = glm::inverse(view.WorldToView);
   view.ViewToClip =

@@ -6,7 +6,7 @@
 #include <glm/glm.hpp>
 
 class vtkMatrix4x4;
-class vtkRenderer;
+class vtkRenderState;
 
 namespace rtw
 {
@@ -19,7 +19,9 @@ struct View
   glm::dvec3 Eye{ 0 };     ///< in world coordinates
   glm::dvec3 Forward{ 0 }; ///< unit
   bool Parallel = false;
-  int Width = 0; ///< of the viewport, in pixels
+  int OriginX = 0; ///< of the viewport in what is drawn into, in pixels
+  int OriginY = 0;
+  int Width = 0;
   int Height = 0;
 
   bool IsUsable() const; ///< false for an empty viewport or a camera that is not a number
@@ -27,7 +29,8 @@ struct View
 
 /// VTK's row-major matrix as GLM's.
 glm::dmat4 ToGlm(vtkMatrix4x4* matrix);
-View ViewOf(vtkRenderer* renderer);
+/// Of the frame that a render state is for: in its framebuffer, where it has one.
+View ViewOf(const vtkRenderState* state);
 }
 
 #endif

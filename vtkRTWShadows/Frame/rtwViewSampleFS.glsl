@@ -1,7 +1,11 @@
-// Window-space depth is linear over a triangle, so that its screen derivatives give the plane.
-layout(location = 0) out vec2 slope;
+// One over the distance along the view axis is linear on the screen over a triangle, so that its derivatives give the plane; in
+// a parallel view that is depth itself.
+in float distanceAlongView;
+layout(location = 0) out vec4 viewSample;
+uniform int rtwParallel;
 
 void main()
 {
-  slope = vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z));
+  float a = rtwParallel != 0 ? gl_FragCoord.z : 1.0 / distanceAlongView;
+  viewSample = vec4(a, dFdx(a), dFdy(a), 1.0);
 }

@@ -9,8 +9,6 @@
 #include "rtwViewSampleFS.h"
 #include "rtwViewSampleVS.h"
 
-#include <glm/gtc/type_ptr.hpp>
-
 #include <algorithm>
 
 namespace rtw
@@ -39,65 +37,85 @@ void ViewSampler::Cull(const GeometryStore& store)
   Dispatch(Groups(store.GetNumberOfDraws(), 64));
 }
 
-bool ViewSampler::Render(const View& view, const GeometryStore& store, int stride)
+bool ViewSampler::Render(const View& view, const GeometryStore& store, bool own)
 {
   this->Viewed = view;
-  this->Stride = stride;
-  const int width = std::max(1, view.Width / stride), height = std::max(1, view.Height / stride);
-  this->Depth.Allocate(Format::Depth, width, height);
-  this->Slope.Allocate(Format::Float2, width, height);
-  std::vector<glm::mat4> matrices;
-  for (const Instance& instance : store.GetInstances())
+  this->Depth.Allocate(Format::Depth, view.Width, view.Height);
+  this->Samples.Allocate(Format::Float4, view.Width, view.Height);
+  if (own)
   {
-    matrices.emplace_back(view.ViewToClip * (view.WorldToView * instance.ToWorld));
+    std::vector<glm::mat4> matrices;
+    for (const Instance& instance : store.GetInstances())
+    {
+      matrices.emplace_back(view.ViewToClip * (view.WorldToView * instance.ToWorld));
+    }
+    this->Matrices.Assign(matrices);
+    this->Cull(store);
   }
-  this->Matrices.Assign(matrices);
-  this->Cull(store);
   if (!this->BindTarget())
   {
     return false;
   }
   Framebuffer::Clear(0);
-  if (store.GetNumberOfDraws() > 0 || !store.GetThinDraws().empty())
+  if (own && !store.GetInstances().empty())
   {
-    this->Drawing.Use();
-    this->Array.Bind(store.GetPoints(), store.GetIndices(), this->Matrices);
-    this->Array.DrawIndirect(this->Commands, store.GetNumberOfDraws());
-    for (const ThinDraw& draw : store.GetThinDraws())
-    {
-      if (store.GetInstances()[draw.Command.BaseInstance].Receives)
-      {
-        this->Array.Draw(draw.Kind, draw.Command);
-      }
-    }
+    this->Draw(store);
   }
   return true;
+}
+
+void ViewSampler::Draw(const GeometryStore& store)
+{
+  this->Drawing.Use();
+  this->Drawing.Set("rtwParallel", this->Viewed.Parallel ? 1 : 0);
+  this->Array.Bind(store.GetPoints(), store.GetIndices(), this->Matrices);
+  this->Array.DrawIndirect(this->Commands, store.GetNumberOfDraws());
+  for (const ThinDraw& draw : store.GetThinDraws())
+  {
+    if (store.GetInstances()[draw.Command.BaseInstance].Receives)
+    {
+      this->Array.Draw(draw.Kind, draw.Command);
+    }
+  }
 }
 
 bool ViewSampler::BindTarget()
 {
   StateGuard::PrepareDepthDrawing(false);
-  return this->Target.Bind(this->Depth, &this->Slope);
+  return this->Target.Bind(this->Depth, &this->Samples);
+}
+
+glm::dvec2 ViewSampler::DepthToSample(const View& view)
+{
+  // In a perspective clip z = P22 z + P23 and clip w = -z, so that 1/w = (clip z / w + P22) / P23.
+  const glm::dmat4& p = view.ViewToClip;
+  return view.Parallel ? glm::dvec2(1, 0) : glm::dvec2(2, p[2][2] - 1) / p[3][2];
 }
 
 void ViewSampler::Bind(const Program& program) const
 {
-  const glm::mat4 clipToView(this->Viewed.ClipToView);
-  this->Depth.Bind(0);
-  this->Slope.Bind(1);
-  program.SetMatrix("rtwClipToView", glm::value_ptr(clipToView));
-  program.Set("rtwParallel", this->Viewed.Parallel ? 1 : 0);
+  const glm::dmat4& p = this->Viewed.ViewToClip;
+  const glm::dvec2 scale(1 / p[0][0], 1 / p[1][1]);
+  const glm::dvec2 offset = this->Viewed.Parallel ? -glm::dvec2(p[3][0], p[3][1]) * scale
+                                                  : glm::dvec2(p[2][0], p[2][1]) * scale;
+  this->Samples.Bind(0);
+  program.Set("rtwSamples", 0);
+  glUniform4f(program.Location("rtwRay"), float(scale.x), float(scale.y), float(offset.x),
+    float(offset.y));
+  // Window depth d gives z = (2 d - 1 - P23) / P22.
+  program.Set("rtwParallelView", this->Viewed.Parallel ? float(-2 / p[2][2]) : 0.f,
+    float((1 + p[3][2]) / p[2][2]));
 }
 
 std::size_t ViewSampler::GetMemory() const
 {
-  return this->Depth.GetMemory() + this->Slope.GetMemory();
+  return this->Depth.GetMemory() + this->Samples.GetMemory();
 }
 
 void ViewSampler::Release()
 {
   this->Depth.Release();
-  this->Slope.Release();
+  this->Samples.Release();
   this->Target.Release();
   this->Culling.Release();
   this->Drawing.Release();
@@ -109,7 +127,7 @@ void ViewSampler::Release()
 void ViewSampler::Abandon()
 {
   this->Depth.Abandon();
-  this->Slope.Abandon();
+  this->Samples.Abandon();
   this->Target.Abandon();
   this->Culling.Abandon();
   this->Drawing.Abandon();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// View samples: what the camera sees, as depth and its slope on the screen, from a depth prepass.
+// View samples: what the camera sees at each pixel, as a plane, from a depth prepass.
 #ifndef rtwViewSampler_h
 #define rtwViewSampler_h
 
@@ -21,27 +21,28 @@ public:
   bool Build();
   const std::string& GetLog() const;
 
-  /// Draws the receivers of the store, every stride-th pixel of the view along both axes.
-  bool Render(const View& view, const GeometryStore& store, int stride);
+  /// Draws the receivers of the store; without `own`, which Build() has to have allowed, it only clears.
+  bool Render(const View& view, const GeometryStore& store, bool own);
   /// Makes the samples' target that of drawing again, for what VTK's mappers have to add.
   bool BindTarget();
 
-  /// Gives an analysis the samples.
+  /// Gives a program the samples.
   void Bind(const Program& program) const;
   const View& GetView() const { return this->Viewed; }
-  int GetStride() const { return this->Stride; }
-  int GetWidth() const { return this->Depth.GetWidth(); }
-  int GetHeight() const { return this->Depth.GetHeight(); }
+  int GetWidth() const { return this->Samples.GetWidth(); }
+  int GetHeight() const { return this->Samples.GetHeight(); }
+  /// How a mapper's window-space depth becomes what a sample holds of it: scale and offset.
+  static glm::dvec2 DepthToSample(const View& view);
   std::size_t GetMemory() const;
   void Release();
   void Abandon();
 
 private:
   void Cull(const GeometryStore& store);
+  void Draw(const GeometryStore& store);
 
   View Viewed;
-  int Stride = 1;
-  Texture Depth, Slope;
+  Texture Depth, Samples;
   Framebuffer Target;
   Program Culling, Drawing;
   Buffer Matrices, Commands;

@@ -53,6 +53,31 @@ void MeshArray::Release()
   this->Abandon();
 }
 
+void ScreenTriangle::Draw()
+{
+  if (!this->Id)
+  {
+    glGenVertexArrays(1, &this->Id);
+  }
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_BLEND);
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_SCISSOR_TEST);
+  glDisable(GL_STENCIL_TEST);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glBindVertexArray(this->Id);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void ScreenTriangle::Release()
+{
+  if (this->Id)
+  {
+    glDeleteVertexArrays(1, &this->Id);
+  }
+  this->Abandon();
+}
+
 void Dispatch(int groupsX, int groupsY, int groupsZ)
 {
   if (groupsX < 1 || groupsY < 1 || groupsZ < 1)

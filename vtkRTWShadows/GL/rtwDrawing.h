@@ -45,6 +45,22 @@ private:
   unsigned int Id = 0;
 };
 
+/// A triangle without points: the vertex shader makes them. No depth test, no blending.
+class ScreenTriangle
+{
+public:
+  ScreenTriangle() = default;
+  ScreenTriangle(const ScreenTriangle&) = delete;
+  ScreenTriangle& operator=(const ScreenTriangle&) = delete;
+
+  void Draw();
+  void Release();
+  void Abandon() { this->Id = 0; }
+
+private:
+  unsigned int Id = 0;
+};
+
 /// Runs the compute program in use, then makes what it wrote visible to all that follows.
 void Dispatch(int groupsX, int groupsY = 1, int groupsZ = 1);
 /// A number of work groups of that size that covers so many items.

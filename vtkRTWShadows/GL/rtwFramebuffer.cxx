@@ -39,6 +39,21 @@ bool Framebuffer::Bind(const Texture& depth, const Texture* colour, int layer)
   return glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
 }
 
+bool Framebuffer::BindColour(const Texture& colour, int layer)
+{
+  if (!this->Id)
+  {
+    glGenFramebuffers(1, &this->Id);
+  }
+  glBindFramebuffer(GL_FRAMEBUFFER, this->Id);
+  Attach(GL_COLOR_ATTACHMENT0, colour, layer);
+  const GLenum target = GL_COLOR_ATTACHMENT0;
+  glDrawBuffers(1, &target);
+  glReadBuffer(target);
+  glViewport(0, 0, colour.GetWidth(), colour.GetHeight());
+  return glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+}
+
 void Framebuffer::Clear(float colour)
 {
   const float values[] = { colour, colour, colour, colour };

@@ -27,9 +27,10 @@ std::string ProgramLog(GLuint program)
 }
 
 // The parts are handed over one by one, so that a compiler's message names the part and its own line.
-GLuint Compile(const Program::Stage& stage, std::string& log)
+GLuint Compile(const Program::Stage& stage, int version, std::string& log)
 {
-  std::vector<const char*> parts{ "#version 430 core\n" };
+  const std::string first = "#version " + std::to_string(version) + " core\n";
+  std::vector<const char*> parts{ first.c_str() };
   std::vector<std::string> numbered;
   numbered.reserve(stage.Parts.size());
   for (const char* part : stage.Parts)
@@ -52,7 +53,7 @@ GLuint Compile(const Program::Stage& stage, std::string& log)
 }
 }
 
-bool Program::Build(std::initializer_list<Stage> stages)
+bool Program::Build(std::initializer_list<Stage> stages, int version)
 {
   if (this->Id || this->Failed)
   {
@@ -64,7 +65,7 @@ bool Program::Build(std::initializer_list<Stage> stages)
   std::vector<GLuint> shaders;
   for (const Stage& stage : stages)
   {
-    if (const GLuint shader = Compile(stage, this->Log))
+    if (const GLuint shader = Compile(stage, version, this->Log))
     {
       glAttachShader(program, shader);
       shaders.push_back(shader);

@@ -20,9 +20,9 @@ public:
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
 
-  /// Compiles and links unless that is done already. Each part is a file or a few definitions; `#version 430 core`
-  /// goes before them. On failure GetLog() says why and every later call fails at once.
-  bool Build(std::initializer_list<Stage> stages);
+  /// Compiles and links unless that is done already. Each part is a file or a few definitions; that version of GLSL goes
+  /// before them. On failure GetLog() says why and every later call fails at once.
+  bool Build(std::initializer_list<Stage> stages, int version = 430);
   bool IsBuilt() const { return this->Id != 0; }
   const std::string& GetLog() const { return this->Log; }
   void Use() const;

@@ -26,7 +26,7 @@ const FormatInfo& Info(Format format)
     { GL_R32F, GL_RED, GL_FLOAT, 1, 4 },
     { GL_RG32F, GL_RG, GL_FLOAT, 2, 8 },
     { GL_RGBA32F, GL_RGBA, GL_FLOAT, 4, 16 },
-    { GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4, 4 },
+    { GL_R8, GL_RED, GL_UNSIGNED_BYTE, 1, 1 },
   };
   return infos[static_cast<int>(format)];
 }

@@ -14,7 +14,7 @@ enum class Format
   Float1,  ///< a 32-bit float
   Float2,  ///< two 32-bit floats
   Float4,  ///< four 32-bit floats
-  Bytes4   ///< four bytes, 0 to 1
+  Byte1    ///< a byte, 0 to 1
 };
 
 class Texture

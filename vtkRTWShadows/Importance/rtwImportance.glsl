@@ -21,10 +21,10 @@ uniform float rtwNearest; // distance that has the importance 1
 uniform float rtwBeta;    // bonus of a surface that is seen head on
 shared uint rtwTile[2 * MOST_CELLS];
 
-float rtwFunction(ViewSample s)
+float rtwFunction(LitSample s)
 {
   float value = 1.0;
-  if ((rtwFunctions & DISTANCE_TO_EYE) != 0 && rtwParallel == 0)
+  if ((rtwFunctions & DISTANCE_TO_EYE) != 0 && rtwParallelView.x == 0.0)
   {
     value *= rtwNearest / max(-s.position.z, 1e-30);
   }
@@ -35,7 +35,7 @@ float rtwFunction(ViewSample s)
   return value;
 }
 
-void rtwAddSample(ViewSample s, vec4 focus)
+void rtwAddSample(LitSample s, vec4 focus)
 {
   ivec2 cell = clamp(ivec2(rtwFocused(focus, s.onLight) * float(rtwWarpSize.x)), 0, rtwWarpSize.x - 1);
   float value = rtwFunction(s);
@@ -61,7 +61,7 @@ void main()
   }
   barrier();
   vec4 focus = rtwFocus(rtwLayer);
-  ivec2 size = textureSize(rtwSampleDepth, 0);
+  ivec2 size = rtwNumberOfSamples();
   ivec2 corner = ivec2(gl_WorkGroupID.xy) * TILE + ivec2(gl_LocalInvocationID.xy);
   for (int y = 0; y < TILE; y += 16)
   {
@@ -70,7 +70,7 @@ void main()
       ivec2 pixel = corner + ivec2(x, y);
       if (all(lessThan(pixel, size)))
       {
-        ViewSample s = rtwLoadSample(pixel);
+        LitSample s = rtwLoadSample(pixel);
         if (s.used)
         {
           rtwAddSample(s, focus);

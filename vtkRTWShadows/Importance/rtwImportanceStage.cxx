@@ -4,6 +4,7 @@
 #include "rtwDrawing.h"
 #include "rtwImportance.h"
 #include "rtwLightUniforms.h"
+#include "rtwLitSample.h"
 #include "rtwOpenGL.h"
 #include "rtwViewSampleAccess.h"
 #include "rtwViewSampler.h"
@@ -28,11 +29,11 @@ float NearestDistance(const View& view)
 bool ImportanceStage::Build()
 {
   return this->Analysis.Build(
-    { { GL_COMPUTE_SHADER, { rtwWarpFocus, rtwViewSampleAccess, rtwImportance } } });
+    { { GL_COMPUTE_SHADER, { rtwWarpFocus, rtwViewSampleAccess, rtwLitSample, rtwImportance } } });
 }
 
 void ImportanceStage::Analyse(const std::vector<LightFrame>& frames, int functions,
-  const ViewSampler& samples, const WarpTable& table)
+  const ViewSampler& samples, int stride, const WarpTable& table)
 {
   const std::size_t numbers = std::size_t(2) * 2 * table.GetCells() * frames.size();
   this->Profile.Reserve(numbers * sizeof(unsigned int));
@@ -46,9 +47,9 @@ void ImportanceStage::Analyse(const std::vector<LightFrame>& frames, int functio
   this->Analysis.Set("rtwNearest", NearestDistance(samples.GetView()));
   for (std::size_t layer = 0; layer < frames.size(); ++layer)
   {
-    BindLight(this->Analysis, frames[layer], samples.GetView());
+    BindLight(this->Analysis, frames[layer], samples.GetView(), stride);
     this->Analysis.Set("rtwLayer", static_cast<int>(layer));
-    Dispatch(Groups(samples.GetWidth(), Tile), Groups(samples.GetHeight(), Tile));
+    Dispatch(Groups(samples.GetWidth() / stride, Tile), Groups(samples.GetHeight() / stride, Tile));
   }
 }
 

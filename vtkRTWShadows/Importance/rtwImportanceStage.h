@@ -32,6 +32,7 @@ public:
   const std::string& GetLog() const { return this->Analysis.GetLog(); }
   /// One frame a layer; the profile holds two integers a cell, all cells of both axes for each layer.
   void Analyse(const std::vector<LightFrame>& frames, int functions, const ViewSampler& samples,
+    int stride,
     const WarpTable& table);
   const Buffer& GetProfile() const { return this->Profile; }
   void Release();

@@ -5,6 +5,7 @@
 #include "rtwFocusReduction.h"
 #include "rtwFocusWrite.h"
 #include "rtwLightUniforms.h"
+#include "rtwLitSample.h"
 #include "rtwOpenGL.h"
 #include "rtwViewSampleAccess.h"
 #include "rtwViewSampler.h"
@@ -40,7 +41,7 @@ void SetWholeBounds(const Program& program, const LightFrame& frame)
 bool FocusStage::Build()
 {
   return this->Reduction.Build(
-           { { GL_COMPUTE_SHADER, { rtwViewSampleAccess, rtwFocusReduction } } }) &&
+           { { GL_COMPUTE_SHADER, { rtwViewSampleAccess, rtwLitSample, rtwFocusReduction } } }) &&
     this->Writing.Build({ { GL_COMPUTE_SHADER, { rtwFocusWrite } } });
 }
 
@@ -50,7 +51,7 @@ const std::string& FocusStage::GetLog() const
 }
 
 void FocusStage::Reduce(const std::vector<LightFrame>& frames, const std::vector<Rectangle>& also,
-  const ViewSampler& samples, const WarpTable& table)
+  const ViewSampler& samples, int stride, const WarpTable& table)
 {
   std::vector<std::uint32_t> start;
   for (std::size_t layer = 0; layer < frames.size(); ++layer)
@@ -70,14 +71,13 @@ void FocusStage::Reduce(const std::vector<LightFrame>& frames, const std::vector
   this->Bounds.BindStorage(0);
   this->Reduction.Use();
   samples.Bind(this->Reduction);
-  const int stride = samples.GetStride();
-  this->Reduction.Set("rtwReach", 0.5f * float(stride - 1) / float(stride));
+  this->Reduction.Set("rtwReach", stride > 1 ? 0.5f * float(stride) : 0.f);
   for (std::size_t layer = 0; layer < frames.size(); ++layer)
   {
-    BindLight(this->Reduction, frames[layer], samples.GetView());
+    BindLight(this->Reduction, frames[layer], samples.GetView(), stride);
     SetWholeBounds(this->Reduction, frames[layer]);
     this->Reduction.Set("rtwLayer", static_cast<int>(layer));
-    Dispatch(Groups(samples.GetWidth(), Tile), Groups(samples.GetHeight(), Tile));
+    Dispatch(Groups(samples.GetWidth() / stride, Tile), Groups(samples.GetHeight() / stride, Tile));
   }
   this->Writing.Use();
   table.GetTexture().BindImage(0);

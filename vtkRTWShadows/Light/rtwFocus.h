@@ -21,7 +21,7 @@ public:
   const std::string& GetLog() const;
   /// One frame a layer. `also` are rectangles that each layer must hold too: receivers that aren't sampled.
   void Reduce(const std::vector<LightFrame>& frames, const std::vector<Rectangle>& also,
-    const ViewSampler& samples, const WarpTable& table);
+    const ViewSampler& samples, int stride, const WarpTable& table);
   void Release();
   void Abandon();
 

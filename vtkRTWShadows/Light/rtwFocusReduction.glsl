@@ -8,7 +8,7 @@ layout(std430, binding = 0) buffer Bounds
   uint rtwBounds[]; // a layer: low s, low t, high s, high t; in an order that unsigned numbers share
 };
 uniform int rtwLayer;
-uniform float rtwReach; // of a sample, to the farthest pixel that it speaks for, as a share of its footprint
+uniform float rtwReach; // of a sample, to the farthest pixel that it speaks for, in footprints
 uniform vec4 rtwWholeBounds; // nothing outside the light's own bounds counts
 shared vec4 rtwPartial[256];
 
@@ -20,7 +20,7 @@ uint rtwOrdered(float x)
 
 void main()
 {
-  ivec2 size = textureSize(rtwSampleDepth, 0);
+  ivec2 size = rtwNumberOfSamples();
   vec4 bounds = vec4(1e30, 1e30, -1e30, -1e30);
   ivec2 corner = ivec2(gl_WorkGroupID.xy) * TILE + ivec2(gl_LocalInvocationID.xy);
   for (int y = 0; y < TILE; y += 16)
@@ -30,7 +30,7 @@ void main()
       ivec2 pixel = corner + ivec2(x, y);
       if (all(lessThan(pixel, size)))
       {
-        ViewSample s = rtwLoadSample(pixel);
+        LitSample s = rtwLoadSample(pixel);
         if (s.used)
         {
           // It speaks for the pixels around it too.

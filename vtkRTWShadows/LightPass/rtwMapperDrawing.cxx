@@ -82,16 +82,37 @@ void DrawTranslucent(vtkRenderer* renderer, vtkProp* prop)
 }
 }
 
+namespace
+{
+void AddActors(vtkProp* prop, std::set<vtkProp*>& actors)
+{
+  actors.insert(prop);
+  prop->InitPathTraversal();
+  while (vtkAssemblyPath* path = prop->GetNextPath())
+  {
+    actors.insert(path->GetLastNode()->GetViewProp());
+  }
+}
+}
+
 std::set<vtkProp*> ActorsOf(const std::vector<SceneProp>& props)
 {
   std::set<vtkProp*> actors;
   for (const SceneProp& prop : props)
   {
-    actors.insert(prop.Prop);
-    prop.Prop->InitPathTraversal();
-    while (vtkAssemblyPath* path = prop.Prop->GetNextPath())
+    AddActors(prop.Prop, actors);
+  }
+  return actors;
+}
+
+std::set<vtkProp*> TranslucentActorsOf(const std::vector<vtkProp*>& props)
+{
+  std::set<vtkProp*> actors;
+  for (vtkProp* prop : props)
+  {
+    if (prop->HasTranslucentPolygonalGeometry())
     {
-      actors.insert(path->GetLastNode()->GetViewProp());
+      AddActors(prop, actors);
     }
   }
   return actors;

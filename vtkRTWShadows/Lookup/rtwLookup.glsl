@@ -5,17 +5,23 @@
 // self-shadowing, on a concave one the second.
 uniform sampler2DArray rtwDepths;
 uniform sampler2DArray rtwGradients;
+uniform int rtwFirstLayer; // that the first of these lights has
 uniform mat4 rtwToLight[RTW_LIGHTS];   // from view coordinates to (l · w, depth · w, w)
 uniform vec3 rtwTolerance[RTW_LIGHTS]; // of depth: of its format; of a length over w²; of the constant bias over w²
-uniform float rtwAttenuation[RTW_LIGHTS];
-uniform int rtwReceives;
 
 const float RTW_NOT_LIT = -1.0; // averted or out of reach: VTK's lighting knows that already
+
+// Light-plane coordinates, depth, and w.
+vec4 rtwOnLightPlane(int light, vec3 p)
+{
+  vec4 h = rtwToLight[light] * vec4(p, 1.0);
+  return vec4(h.xyz * (1.0 / h.w), h.w);
+}
 
 // Both conditions are computed always: four taps with a branch each cost more than the reads that they save.
 float rtwOccluded(int light, ivec2 texel, vec2 centre, vec3 q, vec2 gradient, float tolerance)
 {
-  float depth = texelFetch(rtwDepths, ivec3(texel, light), 0).r;
+  float depth = texelFetch(rtwDepths, ivec3(texel, light + rtwFirstLayer), 0).r;
 #if RTW_DEPTH_TEST == 2
   return float(depth < q.z - tolerance);
 #else
@@ -23,7 +29,7 @@ float rtwOccluded(int light, ivec2 texel, vec2 centre, vec3 q, vec2 gradient, fl
   // Bounded, because the tangent plane of a receiver that the light grazes is steep.
   float plane = q.z - max(dot(gradient, away), -0.5);
 #if RTW_DEPTH_TEST == 0
-  vec2 slope = texelFetch(rtwGradients, ivec3(texel, light), 0).rg;
+  vec2 slope = texelFetch(rtwGradients, ivec3(texel, light + rtwFirstLayer), 0).rg;
   return float(max(depth - plane, depth + dot(slope, away) - q.z) < -tolerance);
 #else
   return float(depth - plane < -tolerance);
@@ -35,14 +41,14 @@ float rtwOccluded(int light, ivec2 texel, vec2 centre, vec3 q, vec2 gradient, fl
 float rtwFiltered(int light, vec3 q, vec2 gradient, float tolerance)
 {
   int last = rtwWarpSize.y - 1;
-  vec2 at = rtwWarp(light, q.xy) * float(rtwWarpSize.y);
+  vec2 at = rtwWarp(light + rtwFirstLayer, q.xy) * float(rtwWarpSize.y);
 #if RTW_FILTER == 0
   ivec2 texel = clamp(ivec2(floor(at)), 0, last);
-  return 1.0 - rtwOccluded(light, texel, rtwTexelCentres(light, texel).xz, q, gradient, tolerance);
+  return 1.0 - rtwOccluded(light, texel, rtwTexelCentres(light + rtwFirstLayer, texel).xz, q, gradient, tolerance);
 #else
   ivec2 corner = clamp(ivec2(floor(at - 0.5)), 0, last - 1);
   vec2 f = clamp(at - 0.5 - vec2(corner), 0.0, 1.0);
-  vec4 c = rtwTexelCentres(light, corner);
+  vec4 c = rtwTexelCentres(light + rtwFirstLayer, corner);
   vec4 dark = vec4(rtwOccluded(light, corner, c.xz, q, gradient, tolerance),
     rtwOccluded(light, corner + ivec2(1, 0), c.yz, q, gradient, tolerance),
     rtwOccluded(light, corner + ivec2(0, 1), c.xw, q, gradient, tolerance),
@@ -52,44 +58,28 @@ float rtwFiltered(int light, vec3 q, vec2 gradient, float tolerance)
 #endif
 }
 
-// How much of a light reaches p, between 0 and 1, or RTW_NOT_LIT. To be called by all fragments.
-float rtwVisibility(int light, vec3 p)
+// How much of a light reaches a receiver, between 0 and 1, or RTW_NOT_LIT. dx and dy lead to the points of its tangent plane one
+// pixel to the right and one above, on the light plane and in depth.
+float rtwVisibility(int light, vec4 l, vec3 dx, vec3 dy)
 {
-  vec4 h = rtwToLight[light] * vec4(p, 1.0);
-  vec3 l = h.xyz * (1.0 / h.w);
-  // Differences on one plane give its gradient whatever their length.
-  vec3 dx = dFdx(l);
-  vec3 dy = dFdy(l);
   float area = dx.x * dy.y - dx.y * dy.x;
   // A surface that faces both viewer and light is seen the other way round from the light plane's back.
-  bool faces = area < 0.0 && h.w > 0.0 && rtwReceives != 0;
+  bool faces = area < 0.0 && l.w > 0.0;
   float visibility = faces ? 1.0 : RTW_NOT_LIT;
-  vec4 focus = rtwFocus(light);
+  vec4 focus = rtwFocus(light + rtwFirstLayer);
   vec3 q = vec3(rtwFocused(focus, l.xy), l.z);
   if (faces && all(equal(clamp(q.xy, 0.0, 1.0), q.xy)))
   {
+    // Differences on one plane give its gradient whatever their length.
     vec2 gradient = vec2(dx.z * dy.y - dy.z * dx.y, dx.x * dy.z - dy.x * dx.z) / (area * focus.yw);
     vec3 t = rtwTolerance[light];
     // A length in units of depth shrinks with the square of the distance to a spot; w is 1 elsewhere.
 #if RTW_DEPTH_TEST == 2
-    float tolerance = t.z / (h.w * h.w);
+    float tolerance = t.z / (l.w * l.w);
 #else
-    float tolerance = t.x + t.y / (h.w * h.w) + 1e-6 * (abs(gradient.x) + abs(gradient.y));
+    float tolerance = t.x + t.y / (l.w * l.w) + 1e-6 * (abs(gradient.x) + abs(gradient.y));
 #endif
     visibility = rtwFiltered(light, q, gradient, tolerance);
   }
   return visibility;
-}
-
-// What a light's colour is to be multiplied by.
-float rtwFactor(int light, float visibility)
-{
-  return visibility == RTW_NOT_LIT ? 1.0 : mix(1.0, visibility, rtwAttenuation[light]);
-}
-
-// As a byte of a mask: 0 to 127 in shadow, 129 to 255 lit, 128 neither.
-float rtwMaskValue(float visibility)
-{
-  float value = visibility < 0.5 ? visibility * 254.0 : 129.0 + (visibility - 0.5) * 252.0;
-  return (visibility == RTW_NOT_LIT ? 128.0 : floor(value)) / 255.0;
 }

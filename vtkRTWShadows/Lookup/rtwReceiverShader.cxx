@@ -4,7 +4,10 @@
 #include "rtwLookup.h"
 #include "rtwMapperOutput.h"
 #include "rtwMapperPhase.h"
+#include "rtwMaskValue.h"
 #include "rtwPlaceCaster.h"
+#include "rtwReceiverDirect.h"
+#include "rtwReceiverMasked.h"
 #include "rtwWarpFocus.h"
 
 #include "vtkShaderProgram.h"
@@ -90,26 +93,15 @@ std::string GeometryCode(const std::string& fragment)
   return std::string("rtwGeometryOutput(") + depth + ")";
 }
 
-// One evaluation a light serves picture and mask.
 std::string FactorCode(const ReceiverShape& shape)
 {
-  std::string code = "  float rtwMasked = RTW_NOT_LIT;\n";
+  std::string code;
   for (std::size_t k = 0; k < shape.Switched.size(); ++k)
   {
     const std::string n = std::to_string(k);
-    code += "  float rtwVisibility" + n + " = rtwVisibility(" + n +
-      ", vertexVC.xyz);\n  float rtwFactor" + n + " = rtwFactor(" + n +
-      ", rtwVisibility" + n + ");\n  rtwMasked = rtwLayer == " + n + " ? rtwVisibility" + n +
-      " : rtwMasked;\n";
+    code += "  float rtwFactor" + n + " = rtwFactor(" + n + ", vertexVC.xyz);\n";
   }
   return code;
-}
-
-std::string Definitions(const ReceiverShape& shape)
-{
-  return "#define RTW_LIGHTS " + std::to_string(shape.Switched.size()) + "\n#define RTW_FILTER " +
-    std::to_string(shape.Filter) + "\n#define RTW_DEPTH_TEST " + std::to_string(shape.DepthTest) +
-    "\n";
 }
 
 // What the light pass and the view samples ask of a mapper.
@@ -161,12 +153,25 @@ void MarkPlaces(std::string& fragment)
     std::string("//VTK::TCoord::Impl\n") + EndMark + "\n", false);
 }
 
-void InjectReceiver(ReceiverSources sources, const ReceiverShape& shape, bool drawsItself)
+std::string DefinitionsOf(const ReceiverShape& shape)
+{
+  return "#define RTW_LIGHTS " + std::to_string(shape.Switched.size()) + "\n#define RTW_FILTER " +
+    std::to_string(shape.Filter) + "\n#define RTW_DEPTH_TEST " + std::to_string(shape.DepthTest) +
+    "\n";
+}
+
+void InjectReceiver(
+  ReceiverSources sources, const ReceiverShape& shape, Receiving receiving, bool drawsItself)
 {
   std::string& fragment = sources.Fragment;
+  const bool direct = receiving == Receiving::Direct;
   // Unlit primitives and point gaussians know no position and receive nothing.
   const bool lit = Contains(fragment, "vec4 vertexVC =") || Contains(fragment, "vertexVC.xyz");
-  std::string code = Definitions(shape) + WarpCode(shape);
+  std::string code = DefinitionsOf(shape);
+  if (drawsItself || direct)
+  {
+    code += WarpCode(shape);
+  }
   std::string atLight, atEnd;
   if (drawsItself)
   {
@@ -174,7 +179,8 @@ void InjectReceiver(ReceiverSources sources, const ReceiverShape& shape, bool dr
   }
   if (lit)
   {
-    code += rtwLookup;
+    code += direct ? std::string(rtwLookup) + rtwReceiverDirect
+                   : std::string(rtwMaskValue) + rtwReceiverMasked;
     atLight += FactorCode(shape);
     for (std::size_t k = 0; k < shape.Switched.size(); ++k)
     {
@@ -182,11 +188,6 @@ void InjectReceiver(ReceiverSources sources, const ReceiverShape& shape, bool dr
       ReplaceIdentifier(
         fragment, colour, "(rtwFactor" + std::to_string(k) + " * " + colour + ")");
     }
-    atEnd += "  if (rtwPhase == 3) { gl_FragData[0] = vec4(vec3(rtwMaskValue(rtwMasked)), 1.0); }\n";
-  }
-  else
-  {
-    atEnd += "  if (rtwPhase == 3) { gl_FragData[0] = vec4(vec3(128.0 / 255.0), 1.0); }\n";
   }
   vtkShaderProgram::Substitute(fragment, LitMark, atLight, false);
   vtkShaderProgram::Substitute(fragment, EndMark, atEnd, false);
@@ -218,23 +219,40 @@ ReceiverLights ReceiverLights::Make(
 
 void ReceiverUniforms::Set(vtkShaderProgram* program) const
 {
-  program->SetUniformi("rtwPhase", static_cast<int>(this->CurrentPhase));
-  program->SetUniformi("rtwLayer", this->Layer);
-  program->SetUniformi("rtwLightParallel", this->LightParallel ? 1 : 0);
-  program->SetUniformi("rtwWarpTable", this->WarpUnit);
-  program->SetUniformi("rtwDepths", this->DepthUnit);
-  program->SetUniformi("rtwGradients", this->GradientUnit);
-  const int size[] = { this->Cells, this->Resolution };
-  program->SetUniform2i("rtwWarpSize", size);
-  const int n = this->Lights.Count;
-  if (n == 0 || !program->IsUniformUsed("rtwToLight"))
+  if (program->IsUniformUsed("rtwPhase"))
   {
-    return;
+    const float depthToSample[] = { this->DepthToSample.x, this->DepthToSample.y };
+    program->SetUniformi("rtwPhase", static_cast<int>(this->CurrentPhase));
+    program->SetUniformi("rtwLayer", this->Layer);
+    program->SetUniformi("rtwLightParallel", this->LightParallel ? 1 : 0);
+    program->SetUniform2f("rtwDepthToSample", depthToSample);
   }
-  program->SetUniformMatrix4x4v(
-    "rtwToLight", n, const_cast<float*>(this->Lights.ToLight.data()));
-  program->SetUniform3fv("rtwTolerance", n,
-    reinterpret_cast<const float(*)[3]>(this->Lights.Tolerance.data()));
-  program->SetUniform1fv("rtwAttenuation", n, this->Lights.Attenuation.data());
+  if (program->IsUniformUsed("rtwMask"))
+  {
+    const int origin[] = { this->OriginX, this->OriginY };
+    program->SetUniformi("rtwMask", this->MaskUnit);
+    program->SetUniform2i("rtwMaskOrigin", origin);
+  }
+  if (program->IsUniformUsed("rtwWarpTable"))
+  {
+    const int size[] = { this->Cells, this->Resolution };
+    program->SetUniformi("rtwWarpTable", this->WarpUnit);
+    program->SetUniform2i("rtwWarpSize", size);
+  }
+  const int n = this->Lights.Count;
+  if (n > 0 && program->IsUniformUsed("rtwAttenuation"))
+  {
+    program->SetUniform1fv("rtwAttenuation", n, this->Lights.Attenuation.data());
+  }
+  if (n > 0 && program->IsUniformUsed("rtwToLight"))
+  {
+    program->SetUniformi("rtwDepths", this->DepthUnit);
+    program->SetUniformi("rtwGradients", this->GradientUnit);
+    program->SetUniformi("rtwFirstLayer", 0);
+    program->SetUniformMatrix4x4v(
+      "rtwToLight", n, const_cast<float*>(this->Lights.ToLight.data()));
+    program->SetUniform3fv("rtwTolerance", n,
+      reinterpret_cast<const float(*)[3]>(this->Lights.Tolerance.data()));
+  }
 }
 }

@@ -18,8 +18,14 @@ enum class Phase
 {
   Picture,
   LightPass,
-  ViewSamples,
-  Mask
+  ViewSamples
+};
+
+/// How a receiver learns of its shadow.
+enum class Receiving
+{
+  Masked, ///< from the mask
+  Direct  ///< from the maps
 };
 
 /// What the code's shape depends on; everything else is a uniform.
@@ -33,6 +39,9 @@ struct ReceiverShape
   bool operator==(const ReceiverShape& other) const;
 };
 
+/// The definitions that GLSL needs before rtwLookup.glsl.
+std::string DefinitionsOf(const ReceiverShape& shape);
+
 struct ReceiverSources
 {
   std::string& Vertex;
@@ -43,7 +52,8 @@ struct ReceiverSources
 /// Before VTK puts its own code in: marks the places that are gone afterwards.
 void MarkPlaces(std::string& fragment);
 /// After it: fills them. `drawsItself` where the mapper has a part in the light pass and the view samples too.
-void InjectReceiver(ReceiverSources sources, const ReceiverShape& shape, bool drawsItself);
+void InjectReceiver(ReceiverSources sources, const ReceiverShape& shape, Receiving receiving,
+  bool drawsItself);
 
 /// Each light's parameters, as arrays of floats.
 struct ReceiverLights
@@ -60,8 +70,10 @@ struct ReceiverUniforms
   Phase CurrentPhase = Phase::Picture;
   int Layer = 0;
   bool LightParallel = false;
-  int WarpUnit = 0, DepthUnit = 0, GradientUnit = 0;
+  int WarpUnit = 0, DepthUnit = 0, GradientUnit = 0, MaskUnit = 0;
   int Cells = 1, Resolution = 1;
+  int OriginX = 0, OriginY = 0; ///< of the viewport
+  glm::vec2 DepthToSample{ 1, 0 };
   ReceiverLights Lights;
 
   void Set(vtkShaderProgram* program) const;

@@ -35,9 +35,11 @@ std::uint64_t vtkAdaptiveShadowMapPass::Internals::Sign(vtkMTimeType warpTime) c
   std::uint64_t signature = rtw::Mix(std::uint64_t(1), std::uint64_t(warpTime));
   signature = rtw::Mix(signature, std::uint64_t(o.Resolution));
   signature = rtw::Mix(signature, std::uint64_t(o.ViewSampleStride));
+  signature = rtw::Mix(signature, std::uint64_t(o.Shape.Filter));
+  signature = rtw::Mix(rtw::Mix(signature, std::uint64_t(o.Shape.DepthTest)), o.Bias);
   return rtw::Mix(signature,
     std::uint64_t(o.FocusOnView) | std::uint64_t(o.Casters.Cull) << 1 |
-      std::uint64_t(o.Casters.Exact) << 2);
+      std::uint64_t(o.Casters.Exact) << 2 | std::uint64_t(o.Masked) << 3);
 }
 
 vtkAdaptiveShadowMapPass::Internals::Attachment::Attachment(Internals& internals, vtkAdaptiveShadowMapPass* pass,
@@ -47,7 +49,7 @@ vtkAdaptiveShadowMapPass::Internals::Attachment::Attachment(Internals& internals
   , Props(std::move(props))
 {
   vtkTextureUnitManager* manager = this->My.Window->GetTextureUnitManager();
-  while (this->Units.size() < 3)
+  while (this->Units.size() < 4)
   {
     const int unit = manager->Allocate();
     if (unit < 0)
@@ -65,7 +67,8 @@ vtkAdaptiveShadowMapPass::Internals::Attachment::Attachment(Internals& internals
   uniforms.WarpUnit = this->Units[0];
   uniforms.DepthUnit = this->Units[1];
   uniforms.GradientUnit = this->Units[2];
-  this->My.Pipeline.BindTextures(uniforms, phase != rtw::Phase::LightPass);
+  uniforms.MaskUnit = this->Units[3];
+  this->My.Pipeline.BindTextures(uniforms, phase == rtw::Phase::Picture);
   for (vtkProp* prop : this->Props)
   {
     vtkInformation* keys = prop->GetPropertyKeys();

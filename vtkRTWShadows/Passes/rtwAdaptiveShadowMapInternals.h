@@ -24,16 +24,16 @@ class vtkAdaptiveShadowMapPass::Internals
 public:
   rtw::ShadowPipeline Pipeline;
   rtw::PipelineOptions Options;
-  rtw::ReceiverShape Shape;
   rtw::ReceiverUniforms Uniforms;
   rtw::LightCollection Lights;
   rtw::FrameScene Scene;
-  std::set<vtkProp*> DrawnByMappers; ///< the actors of Scene.Props, of which only addresses are used
-  rtw::MaskRenderer Mask;
+  /// Of which only addresses are used: the actors of Scene.Props, and those that have translucent parts.
+  std::set<vtkProp*> DrawnByMappers, Translucent;
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   vtkWeakPointer<vtkRenderer> Renderer; ///< that the last bake was for
   vtkSmartPointer<vtkShadowMapWarp> Warp; ///< that the pipeline uses; kept alive for its stage
   vtkSmartPointer<vtkImageData> MaskImage, MapImage, WarpImage;
+  bool WasMasked = false;
   bool WarnedOfContext = false;
   bool WarnedOfPointLights = false;
   bool WarnedOfBrokenLights = false;
@@ -58,7 +58,7 @@ public:
     Attachment(const Attachment&) = delete;
     Attachment& operator=(const Attachment&) = delete;
     /// False where no texture units were free; nothing is attached then.
-    bool IsComplete() const { return this->Units.size() == 3; }
+    bool IsComplete() const { return this->Units.size() == 4; }
 
   private:
     Internals& My;

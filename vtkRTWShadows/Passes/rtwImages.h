@@ -3,33 +3,18 @@
 #ifndef rtwImages_h
 #define rtwImages_h
 
-#include "rtwFramebuffer.h"
-#include "rtwTexture.h"
-
 #include "vtkSmartPointer.h"
 
 class vtkImageData;
-class vtkOpenGLRenderWindow;
-class vtkRenderer;
 
 namespace rtw
 {
 class DenseLayers;
+class Texture;
 class WarpTable;
-struct View;
 
-/// Draws the opaque props of a renderer once more, in the phase that their shaders are set to, and reads what they write.
-class MaskRenderer
-{
-public:
-  vtkSmartPointer<vtkImageData> Render(vtkRenderer* renderer, const View& view);
-  void Release(vtkOpenGLRenderWindow* window);
-
-private:
-  Texture Colour, Depth;
-  Framebuffer Target;
-};
-
+/// A layer of bytes, as they are.
+vtkSmartPointer<vtkImageData> ReadMask(const Texture& mask, int layer);
 vtkSmartPointer<vtkImageData> ReadShadowMap(const DenseLayers& layers, int layer);
 vtkSmartPointer<vtkImageData> ReadWarp(const WarpTable& table, int layer);
 }

@@ -115,7 +115,8 @@ std::vector<Rectangle> ShadowPipeline::UnsampledReceivers(const FrameScene& scen
 
 bool ShadowPipeline::NeedsViewSamples(const PipelineOptions& options) const
 {
-  return this->OwnDrawing && (options.FocusOnView || this->Warp->NeedsViewSamples());
+  return this->OwnDrawing &&
+    (options.Masked || options.FocusOnView || this->Warp->NeedsViewSamples());
 }
 
 // From view samples to a filled warp table.
@@ -124,7 +125,8 @@ void ShadowPipeline::Analyse(const FrameScene& scene, const PipelineOptions& opt
   if (options.FocusOnView && this->OwnDrawing)
   {
     StageTimers::Scope timer(this->Timers, "focus");
-    this->Focus.Reduce(this->Frames, this->UnsampledReceivers(scene), this->Sampler, this->Table);
+    this->Focus.Reduce(this->Frames, this->UnsampledReceivers(scene), this->Sampler,
+      options.ViewSampleStride, this->Table);
   }
   else
   {
@@ -136,7 +138,7 @@ void ShadowPipeline::Analyse(const FrameScene& scene, const PipelineOptions& opt
   if (this->OwnDrawing)
   {
     StageTimers::Scope timer(this->Timers, "warp");
-    this->Warp->Run(this->Frames, this->Sampler, this->Table);
+    this->Warp->Run(this->Frames, this->Sampler, options.ViewSampleStride, this->Table);
   }
 }
 
@@ -199,30 +201,62 @@ void ShadowPipeline::Draw(const FrameScene& scene, const std::vector<ShadowLight
   this->Layers.Allocate(options.Resolution, layers);
   this->Table.Allocate(
     (this->OwnDrawing ? this->Warp : this->Fallback)->GetCells(), options.Resolution, layers);
+  this->HasSamples = this->HasMask = false;
   if (this->NeedsViewSamples(options))
   {
-    this->DrawViewSamples(guard, scene, options, mappers);
+    const bool others = std::any_of(scene.Props.begin(), scene.Props.end(),
+      [](const SceneProp& prop) { return prop.Receives; });
+    this->DrawViewSamples(guard, others ? mappers.ViewSamples : nullptr);
   }
   this->Analyse(scene, options);
   for (int layer = 0; layer < layers; ++layer)
   {
     this->DrawLayer(guard, layer, scene, options, mappers);
   }
-  this->Counted.ShadowMemory = static_cast<std::int64_t>(
-    this->Layers.GetMemory() + this->Table.GetMemory() + this->Sampler.GetMemory());
+  if (options.Masked)
+  {
+    this->DrawMask(options);
+  }
+  this->Counted.ShadowMemory = static_cast<std::int64_t>(this->Layers.GetMemory() +
+    this->Table.GetMemory() + this->Sampler.GetMemory() + this->Masking.GetMask().GetMemory());
 }
 
-void ShadowPipeline::DrawViewSamples(StateGuard& guard, const FrameScene& scene,
-  const PipelineOptions& options, const MapperDrawing& mappers)
+void ShadowPipeline::DrawViewSamples(
+  StateGuard& guard, const std::function<void()>& mapperSamples)
 {
   StageTimers::Scope timer(this->Timers, "view samples");
-  this->Sampler.Render(this->Viewed, this->Store, options.ViewSampleStride);
-  const bool others = std::any_of(scene.Props.begin(), scene.Props.end(),
-    [](const SceneProp& prop) { return prop.Receives; });
-  if (others && this->Sampler.BindTarget())
+  this->HasSamples = this->Sampler.Render(this->Viewed, this->Store, this->OwnDrawing);
+  if (mapperSamples && this->Sampler.BindTarget())
   {
-    guard.DrawWithVTK(mappers.ViewSamples);
+    guard.DrawWithVTK(mapperSamples);
   }
+}
+
+void ShadowPipeline::DrawMask(const PipelineOptions& options)
+{
+  StageTimers::Scope timer(this->Timers, "mask");
+  if (this->HasSamples && this->Masking.Build(options.Shape))
+  {
+    this->Masking.Render(
+      ReceiverLights::Make(this->Frames, this->Viewed, options.Bias, this->SceneSize),
+      this->Sampler, this->Layers, this->Table);
+    this->HasMask = true;
+  }
+}
+
+const Texture& ShadowPipeline::GetMask(
+  const PipelineOptions& options, const std::function<void()>& mapperSamples)
+{
+  if (!this->HasMask && !this->Frames.empty())
+  {
+    StateGuard guard(this->Window);
+    if (!this->HasSamples)
+    {
+      this->DrawViewSamples(guard, mapperSamples);
+    }
+    this->DrawMask(options);
+  }
+  return this->Masking.GetMask();
 }
 
 void ShadowPipeline::DrawLayer(StateGuard& guard, int layer, const FrameScene& scene,
@@ -257,6 +291,9 @@ ReceiverUniforms ShadowPipeline::MakeUniforms(const PipelineOptions& options) co
   ReceiverUniforms uniforms;
   uniforms.Cells = this->Table.GetCells();
   uniforms.Resolution = this->Table.GetResolution();
+  uniforms.OriginX = this->Viewed.OriginX;
+  uniforms.OriginY = this->Viewed.OriginY;
+  uniforms.DepthToSample = glm::vec2(ViewSampler::DepthToSample(this->Viewed));
   uniforms.Lights =
     ReceiverLights::Make(this->Frames, this->Viewed, options.Bias, this->SceneSize);
   return uniforms;
@@ -269,6 +306,7 @@ void ShadowPipeline::BindTextures(const ReceiverUniforms& units, bool maps) cons
   {
     this->Layers.GetDepths().Bind(units.DepthUnit);
     this->Layers.GetGradients().Bind(units.GradientUnit);
+    this->Masking.GetMask().Bind(units.MaskUnit);
   }
 }
 
@@ -277,6 +315,7 @@ void ShadowPipeline::UnbindTextures(const ReceiverUniforms& units) const
   this->Table.GetTexture().Unbind(units.WarpUnit);
   this->Layers.GetDepths().Unbind(units.DepthUnit);
   this->Layers.GetGradients().Unbind(units.GradientUnit);
+  this->Masking.GetMask().Unbind(units.MaskUnit);
 }
 
 int ShadowPipeline::ClampResolution(unsigned int resolution) const
@@ -307,6 +346,7 @@ void ShadowPipeline::Abandon()
   this->Sampler.Abandon();
   this->Focus.Abandon();
   this->Casters.Abandon();
+  this->Masking.Abandon();
   this->Layers.Abandon();
   this->Table.Abandon();
   this->Timers.Abandon();
@@ -326,6 +366,7 @@ void ShadowPipeline::Release(vtkOpenGLRenderWindow* window)
   this->Sampler.Release();
   this->Focus.Release();
   this->Casters.Release();
+  this->Masking.Release();
   this->Layers.Release();
   this->Table.Release();
   this->Timers.Release();

@@ -8,6 +8,7 @@
 #include "rtwDenseLayers.h"
 #include "rtwFocus.h"
 #include "rtwGeometryStore.h"
+#include "rtwMaskStage.h"
 #include "rtwReceiverShader.h"
 #include "rtwFrameScene.h"
 #include "rtwStageTimers.h"
@@ -38,6 +39,8 @@ struct PipelineOptions
   bool Caching = true;
   CasterOptions Casters;
   double Bias = 0;
+  ReceiverShape Shape;
+  bool Masked = true; ///< whether the picture takes its shadows from the mask
   std::uint64_t Signature = 0; ///< of all settings, the warp's among them
 };
 
@@ -75,12 +78,14 @@ public:
   WarpShape GetShape() const;
   /// What a receiver's shaders need to know.
   ReceiverUniforms MakeUniforms(const PipelineOptions& options) const;
-  /// Binds the table, and the maps unless they are drawn into, to three texture units.
+  /// Binds the table, and the maps and the mask unless maps are drawn into, to texture units.
   void BindTextures(const ReceiverUniforms& units, bool maps) const;
   void UnbindTextures(const ReceiverUniforms& units) const;
   /// To the largest map that the GPU allows.
   int ClampResolution(unsigned int resolution) const;
   StageTimers& GetTimers() { return this->Timers; }
+  /// The mask of the last frame; made now, where the picture didn't need it.
+  const Texture& GetMask(const PipelineOptions& options, const std::function<void()>& mapperSamples);
   const Statistics& GetStatistics() const { return this->Counted; }
   CasterCounts ReadCasterCounts(int layer) const { return this->Casters.ReadCounts(layer); }
   /// Texels a side along s and t. Waits for the GPU.
@@ -96,8 +101,8 @@ private:
     const PipelineOptions& options) const;
   void Draw(const FrameScene& scene, const std::vector<ShadowLight>& lights,
     const PipelineOptions& options, const MapperDrawing& mappers);
-  void DrawViewSamples(StateGuard& guard, const FrameScene& scene, const PipelineOptions& options,
-    const MapperDrawing& mappers);
+  void DrawViewSamples(StateGuard& guard, const std::function<void()>& mapperSamples);
+  void DrawMask(const PipelineOptions& options);
   void Analyse(const FrameScene& scene, const PipelineOptions& options);
   void DrawLayer(StateGuard& guard, int layer, const FrameScene& scene, const PipelineOptions& options,
     const MapperDrawing& mappers);
@@ -114,6 +119,9 @@ private:
   ViewSampler Sampler;
   FocusStage Focus;
   CasterDrawing Casters;
+  MaskStage Masking;
+  bool HasSamples = false; ///< of the last frame
+  bool HasMask = false;
   DenseLayers Layers;
   WarpTable Table;
   StageTimers Timers;

@@ -4,7 +4,6 @@
 #include "vtkAdaptiveShadowMapPass.h"
 
 #include "vtkObjectFactory.h"
-#include "vtkRenderState.h"
 
 vtkStandardNewMacro(vtkAdaptiveShadowMapBakerPass);
 
@@ -40,7 +39,7 @@ void vtkAdaptiveShadowMapBakerPass::Render(const vtkRenderState* s)
                     "GetShadowMapBakerPass() of that pass gives");
     return;
   }
-  this->ShadowMapPass->Bake(s->GetRenderer());
+  this->ShadowMapPass->Bake(s);
   this->HasShadows = this->ShadowMapPass->GetNumberOfShadowLights() > 0;
   this->NeedUpdate = this->ShadowMapPass->GetNumberOfLayersDrawn() > 0;
   if (this->NeedUpdate)

@@ -83,8 +83,9 @@ void vtkAdaptiveShadowMapPass::WarnOnce()
   }
 }
 
-void vtkAdaptiveShadowMapPass::Bake(vtkRenderer* renderer)
+void vtkAdaptiveShadowMapPass::Bake(const vtkRenderState* s)
 {
+  vtkRenderer* renderer = s->GetRenderer();
   Internals& my = *this->Shadows;
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   my.UseWarp(this->Warp);
@@ -112,21 +113,26 @@ void vtkAdaptiveShadowMapPass::Bake(vtkRenderer* renderer)
   my.Options.Caching = this->Caching;
   my.Options.Casters = { this->CullCasters, this->Rasterization == EXACT };
   my.Options.Bias = this->ConstantBias;
-  my.Options.Signature = my.Sign(this->Warp->GetMTime());
-
+  // Samples of a pixel see other surfaces than its centre; without own programs a mask would cost a pass through VTK's mappers.
+  my.Options.Masked = my.Pipeline.HasOwnDrawing() && window->GetMultiSamples() <= 1;
   rtw::ReceiverShape shape{ my.Pipeline.GetShape(), {}, this->Filter, this->DepthTest };
   for (const rtw::ShadowLight& light : my.Lights.Shadowing)
   {
     shape.Switched.push_back(light.Switched);
   }
   std::set<vtkProp*> drawn = rtw::ActorsOf(my.Scene.Props);
-  if (!(shape == my.Shape) || drawn != my.DrawnByMappers)
+  std::set<vtkProp*> translucent = rtw::TranslucentActorsOf(my.Scene.Shaded);
+  if (!(shape == my.Options.Shape) || drawn != my.DrawnByMappers ||
+    translucent != my.Translucent || my.WasMasked != my.Options.Masked)
   {
-    my.Shape = shape;
+    my.Options.Shape = shape;
+    my.WasMasked = my.Options.Masked;
     my.DrawnByMappers = std::move(drawn);
+    my.Translucent = std::move(translucent);
     this->StageTime.Modified();
   }
-  my.Pipeline.Update(rtw::ViewOf(renderer), my.Scene, my.Lights.Shadowing, my.Options,
+  my.Options.Signature = my.Sign(this->Warp->GetMTime());
+  my.Pipeline.Update(rtw::ViewOf(s), my.Scene, my.Lights.Shadowing, my.Options,
     { [this, renderer] { this->DrawViewSamples(renderer); },
       [this, renderer](int layer, const rtw::LightFrame&) { this->DrawCasters(renderer, layer); } });
 }
@@ -201,8 +207,11 @@ bool vtkAdaptiveShadowMapPass::PostReplaceShaderValues(std::string& vertexShader
 {
   if (vtkPolyDataMapper::SafeDownCast(mapper))
   {
-    rtw::InjectReceiver({ vertexShader, geometryShader, fragmentShader }, this->Shadows->Shape,
-      this->Shadows->DrawnByMappers.count(prop) > 0);
+    const Internals& my = *this->Shadows;
+    const bool direct = !my.Options.Masked || my.Translucent.count(prop) > 0;
+    rtw::InjectReceiver({ vertexShader, geometryShader, fragmentShader }, my.Options.Shape,
+      direct ? rtw::Receiving::Direct : rtw::Receiving::Masked,
+      my.DrawnByMappers.count(prop) > 0);
   }
   return true;
 }
@@ -229,7 +238,6 @@ void vtkAdaptiveShadowMapPass::ReleaseGraphicsResources(vtkWindow* w)
   if (auto* window = vtkOpenGLRenderWindow::SafeDownCast(w))
   {
     my.Pipeline.Release(window);
-    my.Mask.Release(window);
   }
   my.Window = nullptr;
   if (this->OpaqueSequence)

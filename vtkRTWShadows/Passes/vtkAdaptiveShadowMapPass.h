@@ -228,7 +228,7 @@ public:
    * The shadow of a light, by its number among those with shadows, on each pixel of the last frame: 0 to 127 in
    * shadow, 129 to 255 lit, 128 where nothing opaque is, or what is there is turned away from the light or out of its reach.
    * The image is made anew for each call and belongs to the pass. Null before the first frame or for a light that
-   * there isn't. Draws the opaque props once more.
+   * there isn't. Waits for the GPU.
    */
   vtkImageData* GetShadowMask(int light);
 
@@ -293,7 +293,7 @@ private:
   class Internals;
 
   bool Choose(int& member, int value, bool valid, const char* property, const char* choices);
-  void Bake(vtkRenderer* renderer);
+  void Bake(const vtkRenderState* s);
   void WarnOnce();
   void DrawCasters(vtkRenderer* renderer, int layer);
   void DrawViewSamples(vtkRenderer* renderer);

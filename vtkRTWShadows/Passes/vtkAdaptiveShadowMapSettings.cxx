@@ -191,13 +191,11 @@ vtkImageData* vtkAdaptiveShadowMapPass::GetShadowMask(int light)
 {
   Internals& my = *this->Shadows;
   my.MaskImage = nullptr;
-  if (my.Has(light) && my.Renderer)
+  if (my.Has(light) && my.Renderer && my.MakeCurrent())
   {
-    Internals::Attachment attachment(my, this, my.Scene.Shaded, rtw::Phase::Mask, light);
-    if (attachment.IsComplete())
-    {
-      my.MaskImage = my.Mask.Render(my.Renderer, my.Pipeline.GetView());
-    }
+    vtkRenderer* renderer = my.Renderer;
+    my.MaskImage = rtw::ReadMask(
+      my.Pipeline.GetMask(my.Options, [this, renderer] { this->DrawViewSamples(renderer); }), light);
   }
   return my.MaskImage;
 }

@@ -35,10 +35,11 @@ std::string RectilinearWarpStage::GetLog() const
 }
 
 void RectilinearWarpStage::Run(
-  const std::vector<LightFrame>& frames, const ViewSampler& samples, const WarpTable& table)
+  const std::vector<LightFrame>& frames, const ViewSampler& samples,
+    int stride, const WarpTable& table)
 {
   const RectilinearSettings settings = this->Settings();
-  this->Importance.Analyse(frames, settings.Functions, samples, table);
+  this->Importance.Analyse(frames, settings.Functions, samples, stride, table);
   this->Report.Reserve(frames.size() * 2 * 2 * sizeof(float));
   this->Building.Use();
   table.Bind(this->Building);

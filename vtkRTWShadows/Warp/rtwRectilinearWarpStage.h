@@ -30,7 +30,7 @@ public:
   bool Build() override;
   std::string GetLog() const override;
   void Run(const std::vector<LightFrame>& frames, const ViewSampler& samples,
-    const WarpTable& table) override;
+    int stride, const WarpTable& table) override;
   glm::dvec2 ReadGreatestDensity(int layer) const override;
   void Release() override;
   void Abandon() override;

@@ -36,7 +36,8 @@ public:
   virtual std::string GetLog() const = 0;
   /// Fills the table of every layer; its focus is there already.
   virtual void Run(
-    const std::vector<LightFrame>& frames, const ViewSampler& samples, const WarpTable& table) = 0;
+    const std::vector<LightFrame>& frames, const ViewSampler& samples,
+    int stride, const WarpTable& table) = 0;
   /// How many times the mean density of texels the densest cell of a layer has along s and t. Waits for the GPU.
   virtual glm::dvec2 ReadGreatestDensity(int layer) const = 0;
   virtual void Release() = 0;
@@ -51,7 +52,7 @@ public:
   int GetCells() const override { return 1; }
   bool Build() override { return true; }
   std::string GetLog() const override { return {}; }
-  void Run(const std::vector<LightFrame>&, const ViewSampler&, const WarpTable&) override {}
+  void Run(const std::vector<LightFrame>&, const ViewSampler&, int, const WarpTable&) override {}
   glm::dvec2 ReadGreatestDensity(int) const override { return glm::dvec2(1); }
   void Release() override {}
   void Abandon() override {}

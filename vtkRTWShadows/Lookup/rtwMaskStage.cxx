@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rtwMaskStage.h"
+
+#include "rtwDenseLayers.h"
+#include "rtwLookup.h"
+#include "rtwMaskFS.h"
+#include "rtwMaskVS.h"
+#include "rtwMaskValue.h"
+#include "rtwOpenGL.h"
+#include "rtwViewSampleAccess.h"
+#include "rtwViewSampler.h"
+#include "rtwWarpFocus.h"
+#include "rtwWarpTable.h"
+
+namespace rtw
+{
+namespace
+{
+constexpr int DepthUnit = 1;
+constexpr int GradientUnit = 2;
+}
+
+bool MaskStage::Build(const ReceiverShape& shape)
+{
+  ReceiverShape one = shape; // each light is drawn by itself
+  one.Switched = { 0 };
+  if (!(one == this->Shape))
+  {
+    this->Drawing.Release();
+    this->Shape = one;
+  }
+  const std::string definitions = DefinitionsOf(one);
+  return this->Drawing.Build(
+    { { GL_VERTEX_SHADER, { rtwMaskVS } },
+      { GL_FRAGMENT_SHADER,
+        { definitions.c_str(), rtwWarpFocus, one.Warp.Function, rtwLookup, rtwViewSampleAccess,
+          rtwMaskValue, rtwMaskFS } } },
+    150);
+}
+
+void MaskStage::Render(const ReceiverLights& lights, const ViewSampler& samples,
+  const DenseLayers& layers, const WarpTable& table)
+{
+  this->Mask.Allocate(Format::Byte1, samples.GetWidth(), samples.GetHeight(), lights.Count);
+  this->Drawing.Use();
+  samples.Bind(this->Drawing);
+  table.Bind(this->Drawing);
+  layers.GetDepths().Bind(DepthUnit);
+  layers.GetGradients().Bind(GradientUnit);
+  this->Drawing.Set("rtwDepths", DepthUnit);
+  this->Drawing.Set("rtwGradients", GradientUnit);
+  for (int light = 0; light < lights.Count; ++light)
+  {
+    if (!this->Target.BindColour(this->Mask, light))
+    {
+      return;
+    }
+    this->Drawing.Set("rtwFirstLayer", light);
+    this->Drawing.SetMatrix("rtwToLight", lights.ToLight.data() + 16 * light);
+    const float* tolerance = lights.Tolerance.data() + 3 * light;
+    this->Drawing.Set("rtwTolerance", tolerance[0], tolerance[1], tolerance[2]);
+    this->Triangle.Draw();
+  }
+  layers.GetDepths().Unbind(DepthUnit);
+  layers.GetGradients().Unbind(GradientUnit);
+}
+
+void MaskStage::Release()
+{
+  this->Drawing.Release();
+  this->Mask.Release();
+  this->Target.Release();
+  this->Triangle.Release();
+}
+
+void MaskStage::Abandon()
+{
+  this->Drawing.Abandon();
+  this->Mask.Abandon();
+  this->Target.Abandon();
+  this->Triangle.Abandon();
+}
+}
