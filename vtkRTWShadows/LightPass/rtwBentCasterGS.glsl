@@ -1,8 +1,8 @@
 // Curved rasterization: a cover of the warped triangle, in which each fragment decides in unwarped light space.
 //
-// The cover is the smaller of two that hold all of it: its bounds on the map, which are the images of its bounds on the light plane
-// because the warp is separable and monotone; and the straight triangle's box along its longest edge, grown by
-// as much as the warp can bend. Edges and plane are homogeneous (Olano and Greer 1997), so that a triangle that
+// The cover is the smallest of three that hold all of it: its bounds on the map, which are the images of its bounds on the light plane
+// because the warp is separable and monotone; the straight triangle, its edges moved out by as much as the warp can bend;
+// and the straight triangle's box along its longest edge, grown likewise. Edges and plane are homogeneous (Olano and Greer 1997), so that a triangle that
 // reaches behind a spot needs no clipping but for its bounds.
 layout(triangles) in;
 layout(triangle_strip, max_vertices = 4) out;
@@ -100,6 +100,34 @@ void rtwEmit(vec2 onMap, float depth)
   EmitVertex();
 }
 
+// The triangle whose edges lie farther out by what a box of half that size reaches beyond them.
+void rtwGrow(inout vec2 u[3], vec2 by)
+{
+  float turn = (u[1].x - u[0].x) * (u[2].y - u[0].y) - (u[1].y - u[0].y) * (u[2].x - u[0].x) < 0.0 ? -1.0 : 1.0;
+  vec3 lines[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    vec2 along = u[(i + 1) % 3] - u[i];
+    vec2 out_ = turn * vec2(along.y, -along.x) / max(length(along), 1e-20);
+    lines[i] = vec3(out_, dot(out_, u[i]) + dot(abs(out_), by));
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    vec3 a = lines[(i + 2) % 3];
+    vec3 b = lines[i];
+    float d = a.x * b.y - a.y * b.x;
+    u[i] = vec2(a.z * b.y - a.y * b.z, a.x * b.z - a.z * b.x) / d;
+  }
+}
+
+float rtwArea(vec2 u[3])
+{
+  vec2 a = u[1] - u[0];
+  vec2 b = u[2] - u[0];
+  float area = 0.5 * abs(a.x * b.y - a.y * b.x);
+  return area < 1e30 ? area : 1e30; // not a number either
+}
+
 void main()
 {
   vec4 bounds;
@@ -152,7 +180,19 @@ void main()
     float growY = dot(abs(across), bend);
     vec2 from = vec2(min(x.x, min(x.y, x.z)) - growX, min(y.x, min(y.y, y.z)) - growY);
     vec2 to = vec2(max(x.x, max(x.y, x.z)) + growX, max(y.x, max(y.y, y.z)) + growY);
-    if ((to.x - from.x) * (to.y - from.y) < size.x * size.y)
+    vec2 grown[3] = u;
+    rtwGrow(grown, bend);
+    float grownArea = rtwArea(grown);
+    float boxArea = (to.x - from.x) * (to.y - from.y);
+    if (grownArea < min(boxArea, size.x * size.y))
+    {
+      for (int i = 0; i < 3; ++i)
+      {
+        rtwEmit(grown[i], nearest);
+      }
+      return;
+    }
+    if (boxArea < size.x * size.y)
     {
       rtwEmit(from.x * along + from.y * across, nearest);
       rtwEmit(to.x * along + from.y * across, nearest);

@@ -18,16 +18,22 @@ vec3 rtwSlopes(int layer, int axis, float low, float high)
   return vec3(min(a.x, b.x), max(a.yz, b.yz));
 }
 
+// Over an interval of that length, from the slopes around it. Each cell border bends by a step at most; the borders in the interval are
+// few, or as good as evenly spread.
+float rtwBendOver(vec3 slopes, float h)
+{
+  float cells = h * float(rtwWarpSize.x);
+  float steps = min(2.0 * ceil(cells) * cells, (cells + 1.0) * (cells + 1.0)) / float(8 * rtwWarpSize.x);
+  return min(0.25 * (slopes.y - slopes.x) * h, slopes.z * steps);
+}
+
 float rtwBend(int layer, int axis, float low, float high)
 {
-  vec3 slopes = rtwSlopes(layer, axis, low, high);
-  return 0.25 * (slopes.y - slopes.x) * (high - low);
+  return rtwBendOver(rtwSlopes(layer, axis, low, high), high - low);
 }
 
 // The most of any interval no longer than `piece` between the two ends.
 float rtwBendOfPieces(int layer, int axis, float low, float high, float piece)
 {
-  vec3 slopes = rtwSlopes(layer, axis, low, high);
-  float steps = ceil(piece * float(rtwWarpSize.x)) * slopes.z;
-  return 0.25 * min(slopes.y - slopes.x, steps) * piece;
+  return rtwBendOver(rtwSlopes(layer, axis, low, high), piece);
 }
