@@ -4,6 +4,7 @@
 #if RTW_HAVE_EGL && !defined(_WIN32)
 
 #include <dlfcn.h>
+#include <initializer_list>
 
 namespace
 {
@@ -17,10 +18,16 @@ struct Functions
 
   Functions()
   {
-    Find(this->GetCurrentDisplay, "glXGetCurrentDisplay");
-    Find(this->GetCurrentDrawable, "glXGetCurrentDrawable");
-    Find(this->GetCurrentContext, "glXGetCurrentContext");
-    Find(this->MakeCurrent, "glXMakeCurrent");
+    // VTK >= 9.4 opens GLX for itself, so that it is not among the global names.
+    for (const char* name : { "libGLX.so.0", "libGL.so.1" })
+    {
+      if (void* library = dlopen(name, RTLD_LAZY | RTLD_NOLOAD))
+      {
+        this->FindIn(library);
+        dlclose(library); // whoever loaded it still has it
+      }
+    }
+    this->FindIn(RTLD_DEFAULT);
   }
   bool AreThere() const
   {
@@ -29,10 +36,20 @@ struct Functions
   }
 
 private:
-  template <typename Function>
-  static void Find(Function& function, const char* name)
+  void FindIn(void* library)
   {
-    function = reinterpret_cast<Function>(dlsym(RTLD_DEFAULT, name));
+    if (!this->AreThere())
+    {
+      Find(this->GetCurrentDisplay, library, "glXGetCurrentDisplay");
+      Find(this->GetCurrentDrawable, library, "glXGetCurrentDrawable");
+      Find(this->GetCurrentContext, library, "glXGetCurrentContext");
+      Find(this->MakeCurrent, library, "glXMakeCurrent");
+    }
+  }
+  template <typename Function>
+  static void Find(Function& function, void* library, const char* name)
+  {
+    function = reinterpret_cast<Function>(dlsym(library, name));
   }
 };
 }
