@@ -13,8 +13,8 @@ struct Named
 void TestOneFrame(const Named& technique, rtwChain chain, bool spot)
 {
   rtwShadowStage stage(technique.Technique, chain);
-  stage.Name = std::string(technique.Name) +
-    (chain == rtwChain::Classic ? " classic" : " steps") + (spot ? " spot" : " sun");
+  stage.Name = std::string(technique.Name) + (chain == rtwChain::Classic ? " classic" : " steps") +
+    (spot ? " spot" : " sun");
   stage.AddObjects();
   vtkLight* light = spot ? stage.AddSpot(3, 7, 2, 40) : stage.AddSun(3, 5, 2);
   stage.Render();

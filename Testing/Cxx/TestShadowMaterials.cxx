@@ -8,6 +8,8 @@
 #include "vtkElevationFilter.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
 #include "vtkMapper.h"
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
@@ -87,7 +89,41 @@ void TestUnlit()
   stage.Options.Receives = [ball](vtkProp* prop) { return prop != ball; };
   stage.Render();
   RTW_CHECK_PIXEL(rtwGrab(stage.Window), 150, 120, 51, 102, 153);
+  rtwShadowBounds bounds;
+  bounds.Stray = 100; // what the mask says of the ball makes no difference
+  RTW_CHECK_SHADOWS_WITHIN(stage, sun, 0, bounds);
+  RTW_CHECK_PICTURE(stage);
+}
+
+// Props that are told not to cast, or not to receive.
+void TestKeys()
+{
+  rtwShadowStage stage;
+  stage.AddFloor();
+  vtkActor* ball = stage.AddBall(-1.2, 1.3, 0, 1);
+  vtkActor* box = stage.AddBox(-2.6, 0.6, -1, 1.2); // in the shadow of the ball
+  stage.AddBall(2, 1, 1, 0.6);
+  vtkLight* sun = stage.AddSun(3, 5, 2);
+  const auto set = [](vtkActor* actor, vtkInformationIntegerKey* key, int value) {
+    vtkNew<vtkInformation> keys;
+    keys->Set(key, value);
+    actor->SetPropertyKeys(keys);
+  };
+  stage.Name = "casts nothing";
+  stage.Options.Casts = [ball](vtkProp* prop) { return prop != ball; };
+  set(ball, vtkAdaptiveShadowMapPass::CASTS_SHADOW(), 0);
+  stage.Render();
   RTW_CHECK_SHADOWS(stage, sun, 0);
+  RTW_CHECK_PICTURE(stage);
+  stage.Name = "receives nothing";
+  stage.Options.Casts = nullptr;
+  stage.Options.Receives = [box](vtkProp* prop) { return prop != box; };
+  set(ball, vtkAdaptiveShadowMapPass::CASTS_SHADOW(), 1);
+  set(box, vtkAdaptiveShadowMapPass::RECEIVES_SHADOW(), 0);
+  stage.Render();
+  rtwShadowBounds bounds;
+  bounds.Stray = 100; // what the mask says of the box makes no difference
+  RTW_CHECK_SHADOWS_WITHIN(stage, sun, 0, bounds);
   RTW_CHECK_PICTURE(stage);
 }
 
@@ -163,8 +199,8 @@ vtkSmartPointer<vtkPlaneSource> MakeQuad(double x0, double x1, double z0, double
   return quad;
 }
 
-// A sheet whose texture leaves a square hole, as an opaque and as a translucent prop. VTK's mapper draws it, edges straight,
-// so that under a warp its triangles have to be small.
+// A sheet whose texture leaves a square hole, as an opaque and as a translucent prop. VTK's mapper
+// draws it, edges straight, so that under a warp its triangles have to be small.
 void TestCutOut(
   rtwTechnique technique, int pieces, bool forceOpaque, const char* name, int argc, char* argv[])
 {
@@ -270,7 +306,8 @@ void TestScalars()
   RTW_CHECK_SHADOWS(stage, sun, 0);
 }
 
-// Lines and points of a surface: there is no exact shadow of them, but it lies within the surface's.
+// Lines and points of a surface: there is no exact shadow of them, but it lies within the
+// surface's.
 void TestRepresentations()
 {
   rtwShadowStage stage;
@@ -319,6 +356,7 @@ int TestShadowMaterials(int argc, char* argv[])
 {
   TestShading();
   TestUnlit();
+  TestKeys();
   TestBackFaces();
   TestTexture();
   TestCutOut(rtwTechnique::Uniform, 1, true, "cut-out, uniform", argc, argv);

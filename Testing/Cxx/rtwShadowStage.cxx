@@ -286,8 +286,8 @@ bool rtwShadowStage::Check(
   const std::vector<unsigned char> mask = rtw::MaskOf(image);
   const rtw::ShadowErrors errors = rtw::Compare(mask, truth);
   const double wrong = errors.Percent(errors.Wrong()), shadowed = errors.Percent(errors.Shadowed),
-               far = errors.Percent(errors.FarFromEdge), stray =
-                 StrayPercent(mask, TraceWithoutRim(reference, light, size[0], size[1])),
+               far = errors.Percent(errors.FarFromEdge),
+               stray = StrayPercent(mask, TraceWithoutRim(reference, light, size[0], size[1])),
                undecided = errors.Percent(errors.NotComparable);
   std::ostringstream text;
   text << this->Name << ", light " << index << ": of " << errors.LitFacing << " pixels " << shadowed

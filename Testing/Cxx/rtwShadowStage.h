@@ -19,8 +19,8 @@
 #include "vtkAdaptiveShadowMapPass.h"
 #include "vtkLight.h"
 #include "vtkNew.h"
-#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkRenderWindow.h"
 #include "vtkSmartPointer.h"
 
 #include <string>
@@ -51,10 +51,10 @@ vtkSmartPointer<vtkRenderPass> rtwMakeClassicChain(vtkAdaptiveShadowMapPass* sha
 struct rtwShadowBounds
 {
   double Wrong = 0.15;
-  double Far = 0.01;       ///< wrong, and not within two pixels of an edge
-  double Undecided = 0.1;  ///< the mask has no decision there
-  double Stray = 0.02;     ///< of all pixels: a decision on what is averted, away from its borders
-  double Shadowed = 2.0;   ///< at least, in truth: else the scene shows nothing
+  double Far = 0.01;      ///< wrong, and not within two pixels of an edge
+  double Undecided = 0.1; ///< the mask has no decision there
+  double Stray = 0.02;    ///< of all pixels: a decision on what is averted, away from its borders
+  double Shadowed = 2.0;  ///< at least, in truth: else the scene shows nothing
 };
 
 class rtwShadowStage

@@ -13,7 +13,7 @@ if (BUILD_TESTING OR RTW_BUILD_EXAMPLES)
   set(rtw_vtk_test_components
     CommonSystem FiltersGeneral FiltersGeometry FiltersModeling FiltersSources IOCore IOGeometry
     IOImage IOPLY IOXML ImagingCore InteractionStyle RenderingAnnotation RenderingFreeType
-    RenderingUI RenderingVolume RenderingVolumeOpenGL2 jsoncpp vtksys)
+    RenderingLOD RenderingUI RenderingVolume RenderingVolumeOpenGL2 jsoncpp vtksys)
 endif ()
 
 set(_rtw_python_components)

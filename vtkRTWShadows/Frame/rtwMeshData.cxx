@@ -3,11 +3,8 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
-#include "vtkIdList.h"
-#include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkPolygon.h"
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
@@ -62,8 +59,6 @@ struct Builder
   std::vector<Triangle> Triangles;
   std::vector<std::uint32_t> Lines;
   std::vector<std::uint32_t> Vertices;
-  vtkNew<vtkPolygon> Polygon;
-  vtkNew<vtkIdList> Corners;
 
   explicit Builder(vtkPolyData* data)
     : Data(data)
@@ -121,6 +116,7 @@ struct Builder
     }
   }
 
+  // As VTK's mappers draw polygons, the concave ones too.
   void AddFan(vtkIdType count, const vtkIdType* ids)
   {
     for (vtkIdType k = 2; k < count; ++k)
@@ -129,31 +125,10 @@ struct Builder
     }
   }
 
-  // A polygon with more than four points may be concave, so it takes VTK's own triangulation, as in VTK's mappers.
-  void AddPolygon(vtkIdType count, const vtkIdType* ids)
-  {
-    if (count <= 4)
-    {
-      this->AddFan(count, ids);
-      return;
-    }
-    this->Polygon->Initialize(static_cast<int>(count), ids, this->Data->GetPoints());
-    if (!this->Polygon->Triangulate(this->Corners))
-    {
-      this->AddFan(count, ids);
-      return;
-    }
-    for (vtkIdType k = 0; k + 2 < this->Corners->GetNumberOfIds(); k += 3)
-    {
-      this->AddTriangle(ids[this->Corners->GetId(k)], ids[this->Corners->GetId(k + 1)],
-        ids[this->Corners->GetId(k + 2)]);
-    }
-  }
-
   void ReadCells()
   {
     ForEachCell(this->Data->GetPolys(),
-      [this](vtkIdType count, const vtkIdType* ids) { this->AddPolygon(count, ids); });
+      [this](vtkIdType count, const vtkIdType* ids) { this->AddFan(count, ids); });
     ForEachCell(this->Data->GetStrips(), [this](vtkIdType count, const vtkIdType* ids) {
       for (vtkIdType k = 2; k < count; ++k)
       {

@@ -126,11 +126,11 @@ std::vector<vtkPolyData*> MeshesOf(vtkActor* actor)
   return meshes;
 }
 
+// Of an actor with levels of detail this is the finest, whichever is seen: shadows don't change while the view moves.
 bool IsPlainMeshActor(vtkActor* actor)
 {
   vtkMapper* mapper = DrawingMapper(actor);
-  if (!mapper || !(IsMeshMapper(mapper) || IsCompositeMeshMapper(mapper)) ||
-    actor->IsA("vtkLODActor") || actor->IsA("vtkQuadricLODActor"))
+  if (!mapper || !(IsMeshMapper(mapper) || IsCompositeMeshMapper(mapper)))
   {
     return false;
   }
