@@ -1,7 +1,6 @@
 // Clusters of triangles and the places where they stand, as the geometry store uploads them, and how to draw them.
 const int SIZE_CLASSES = 8;
 const uint CASTS = 1u;
-const uint RECEIVES = 2u;
 
 struct Cluster
 {

@@ -5,6 +5,7 @@ layout(std430, binding = 3) writeonly buffer Commands
   DrawCommand rtwCommands[];
 };
 uniform int rtwNumberOfDraws;
+uniform int rtwWanted; // flags
 
 bool rtwVisible(Cluster cluster, mat4 toClip)
 {
@@ -27,6 +28,6 @@ void main()
   }
   ClusterDraw draw = rtwDraws[i];
   Cluster cluster = rtwClusters[draw.cluster];
-  bool seen = (draw.flags & RECEIVES) != 0u && rtwVisible(cluster, rtwMatrices[draw.instance]);
+  bool seen = (draw.flags & uint(rtwWanted)) != 0u && rtwVisible(cluster, rtwMatrices[draw.instance]);
   rtwCommands[i] = rtwCommand(cluster, 0u, seen ? cluster.classEnd[SIZE_CLASSES - 1] : 0u, draw.instance);
 }

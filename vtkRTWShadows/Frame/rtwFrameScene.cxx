@@ -125,9 +125,10 @@ struct Collector
       {
         const glm::dmat4 toWorld = node->GetMatrix() ? ToGlm(node->GetMatrix()) : glm::dmat4(1);
         const bool opaque = actor->GetProperty()->GetOpacity() >= 1;
+        const bool lit = receives && actor->GetProperty()->GetLighting();
         for (vtkPolyData* mesh : MeshesOf(actor))
         {
-          parts.push_back({ mesh, toWorld, casts, receives && opaque });
+          parts.push_back({ mesh, toWorld, casts, lit && opaque, !lit && opaque });
         }
       }
     }
@@ -147,7 +148,7 @@ struct Collector
     {
       signature = Mix(signature, reinterpret_cast<std::uint64_t>(part.Data));
       signature = Mix(signature, std::uint64_t(MeshTime(part.Data)));
-      signature = Mix(Mix(signature, std::uint64_t(part.Receives)), part.ToWorld);
+      signature = Mix(Mix(signature, std::uint64_t(part.Receives) | std::uint64_t(part.Hides) << 1), part.ToWorld);
     }
   }
 

@@ -25,6 +25,7 @@ struct ScenePart
   glm::dmat4 ToWorld;
   bool Casts;
   bool Receives; ///< and is opaque, so that it belongs into the view samples
+  bool Hides;    ///< is opaque but receives nothing: among the view samples it only hides what is behind
 };
 
 /// What only its own VTK mapper knows how to draw: imposters, glyphs, cut-outs, clipped meshes and so on.

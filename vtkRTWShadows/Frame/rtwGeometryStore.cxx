@@ -103,6 +103,7 @@ void GeometryStore::Update(const std::vector<ScenePart>& parts)
   this->InstanceMeshes.clear();
   this->ThinDraws.clear();
   this->NumberOfTriangles = 0;
+  this->Hiding = false;
   for (const ScenePart& part : parts)
   {
     Mesh& mesh = this->Meshes[part.Data];
@@ -117,10 +118,12 @@ void GeometryStore::Update(const std::vector<ScenePart>& parts)
     mesh.Used = true;
     const auto instance = static_cast<std::uint32_t>(this->Instances.size());
     this->Instances.push_back(
-      { part.ToWorld * glm::translate(glm::dmat4(1), mesh.Data.Centre), part.Casts, part.Receives });
+      { part.ToWorld * glm::translate(glm::dmat4(1), mesh.Data.Centre), part.Casts, part.Receives,
+        part.Hides });
     this->InstanceMeshes.push_back(&mesh);
     const std::uint32_t flags = (part.Casts ? ClusterDraw::CastsBit : 0) |
-      (part.Receives ? ClusterDraw::ReceivesBit : 0);
+      (part.Receives ? ClusterDraw::ReceivesBit : 0) | (part.Hides ? ClusterDraw::HidesBit : 0);
+    this->Hiding = this->Hiding || part.Hides;
     for (std::size_t i = 0; i < mesh.Data.Clusters.size(); ++i)
     {
       draws.push_back({ static_cast<std::uint32_t>(mesh.FirstCluster + i), instance, flags, 0 });

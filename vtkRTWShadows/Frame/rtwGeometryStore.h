@@ -21,6 +21,7 @@ struct Instance
   glm::dmat4 ToWorld; ///< from the floats in the buffer
   bool Casts;
   bool Receives;
+  bool Hides;
 };
 
 /// A cluster at a place, as the culling shaders read it.
@@ -28,6 +29,7 @@ struct ClusterDraw
 {
   static constexpr std::uint32_t CastsBit = 1;
   static constexpr std::uint32_t ReceivesBit = 2;
+  static constexpr std::uint32_t HidesBit = 4;
 
   std::uint32_t Cluster;
   std::uint32_t Instance;
@@ -53,6 +55,7 @@ public:
   /// The least and the greatest product of a direction with any point, both infinite the wrong way round without points.
   /// Looks at the points of those clusters only that can hold either.
   glm::dvec2 Extent(const glm::dvec3& direction) const;
+  bool HasHiding() const { return this->Hiding; }
   int GetNumberOfDraws() const { return this->NumberOfDraws; }
   std::size_t GetNumberOfTriangles() const { return this->NumberOfTriangles; }
   const Buffer& GetPoints() const { return this->Points; }
@@ -84,6 +87,7 @@ private:
   std::vector<const Mesh*> InstanceMeshes;
   std::vector<ThinDraw> ThinDraws;
   std::vector<ClusterDraw> Listed;
+  bool Hiding = false;
   int NumberOfDraws = 0;
   std::size_t NumberOfTriangles = 0;
 };

@@ -3,9 +3,10 @@
 in float distanceAlongView;
 layout(location = 0) out vec4 viewSample;
 uniform int rtwParallel;
+uniform float rtwReceiving; // 0 where nothing is received, but what is behind is hidden
 
 void main()
 {
   float a = rtwParallel != 0 ? gl_FragCoord.z : 1.0 / distanceAlongView;
-  viewSample = vec4(a, dFdx(a), dFdy(a), 1.0);
+  viewSample = vec4(a, dFdx(a), dFdy(a), rtwReceiving);
 }

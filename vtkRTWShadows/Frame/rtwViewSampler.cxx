@@ -25,7 +25,7 @@ const std::string& ViewSampler::GetLog() const
   return this->Culling.IsBuilt() ? this->Drawing.GetLog() : this->Culling.GetLog();
 }
 
-void ViewSampler::Cull(const GeometryStore& store)
+void ViewSampler::Cull(const GeometryStore& store, bool receiving)
 {
   this->Commands.Reserve(store.GetNumberOfDraws() * sizeof(DrawCommand));
   this->Culling.Use();
@@ -34,6 +34,8 @@ void ViewSampler::Cull(const GeometryStore& store)
   this->Matrices.BindStorage(2);
   this->Commands.BindStorage(3);
   this->Culling.Set("rtwNumberOfDraws", store.GetNumberOfDraws());
+  this->Culling.Set("rtwWanted",
+    static_cast<int>(receiving ? ClusterDraw::ReceivesBit : ClusterDraw::HidesBit));
   Dispatch(Groups(store.GetNumberOfDraws(), 64));
 }
 
@@ -50,7 +52,6 @@ bool ViewSampler::Render(const View& view, const GeometryStore& store, bool own)
       matrices.emplace_back(view.ViewToClip * (view.WorldToView * instance.ToWorld));
     }
     this->Matrices.Assign(matrices);
-    this->Cull(store);
   }
   if (!this->BindTarget())
   {
@@ -59,20 +60,27 @@ bool ViewSampler::Render(const View& view, const GeometryStore& store, bool own)
   Framebuffer::Clear(0);
   if (own && !store.GetInstances().empty())
   {
-    this->Draw(store);
+    this->Draw(store, true);
+    if (store.HasHiding())
+    {
+      this->Draw(store, false);
+    }
   }
   return true;
 }
 
-void ViewSampler::Draw(const GeometryStore& store)
+void ViewSampler::Draw(const GeometryStore& store, bool receiving)
 {
+  this->Cull(store, receiving);
   this->Drawing.Use();
   this->Drawing.Set("rtwParallel", this->Viewed.Parallel ? 1 : 0);
+  this->Drawing.Set("rtwReceiving", receiving ? 1.f : 0.f);
   this->Array.Bind(store.GetPoints(), store.GetIndices(), this->Matrices);
   this->Array.DrawIndirect(this->Commands, store.GetNumberOfDraws());
   for (const ThinDraw& draw : store.GetThinDraws())
   {
-    if (store.GetInstances()[draw.Command.BaseInstance].Receives)
+    const Instance& instance = store.GetInstances()[draw.Command.BaseInstance];
+    if (receiving ? instance.Receives : instance.Hides)
     {
       this->Array.Draw(draw.Kind, draw.Command);
     }

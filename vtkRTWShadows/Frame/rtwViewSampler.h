@@ -38,8 +38,8 @@ public:
   void Abandon();
 
 private:
-  void Cull(const GeometryStore& store);
-  void Draw(const GeometryStore& store);
+  void Cull(const GeometryStore& store, bool receiving);
+  void Draw(const GeometryStore& store, bool receiving);
 
   View Viewed;
   Texture Depth, Samples;

@@ -141,14 +141,11 @@ void DrawMapperCasters(
   viewer->Modified();
 }
 
-void DrawMapperReceivers(vtkRenderer* renderer, const std::vector<SceneProp>& props)
+void DrawMapperSamples(vtkRenderer* renderer, const std::vector<SceneProp>& props)
 {
   for (const SceneProp& prop : props)
   {
-    if (prop.Receives)
-    {
-      prop.Prop->RenderOpaqueGeometry(renderer);
-    }
+    prop.Prop->RenderOpaqueGeometry(renderer);
   }
 }
 }

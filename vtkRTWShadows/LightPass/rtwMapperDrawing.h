@@ -21,8 +21,8 @@ std::set<vtkProp*> TranslucentActorsOf(const std::vector<vtkProp*>& props);
 /// of the light plane; rtwPlaceCaster.glsl takes them onto the map.
 void DrawMapperCasters(
   vtkRenderer* renderer, const std::vector<SceneProp>& props, const LightFrame& frame);
-/// The opaque receivers among the props as the camera sees them.
-void DrawMapperReceivers(vtkRenderer* renderer, const std::vector<SceneProp>& props);
+/// The opaque ones among the props as the camera sees them; those that receive nothing hide what is behind them.
+void DrawMapperSamples(vtkRenderer* renderer, const std::vector<SceneProp>& props);
 }
 
 #endif

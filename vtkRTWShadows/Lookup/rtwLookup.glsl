@@ -5,8 +5,10 @@
 // self-shadowing, on a concave one the second.
 uniform sampler2DArray rtwDepths;
 uniform sampler2DArray rtwGradients;
-uniform int rtwFirstLayer; // that the first of these lights has
+uniform int rtwFirstLayer;  // that the first of these lights has
+uniform int rtwOtherLayers; // how far behind each light's layer that of its other casters lies
 uniform mat4 rtwToLight[RTW_LIGHTS];   // from view coordinates to (l · w, depth · w, w)
+uniform vec4 rtwCone[RTW_LIGHTS];      // a spot's: centre, tangent; tangent 0 for a directional light
 uniform vec3 rtwTolerance[RTW_LIGHTS]; // of depth: of its format; of a length over w²; of the constant bias over w²
 
 const float RTW_NOT_LIT = -1.0; // averted or out of reach: VTK's lighting knows that already
@@ -19,9 +21,9 @@ vec4 rtwOnLightPlane(int light, vec3 p)
 }
 
 // Both conditions are computed always: four taps with a branch each cost more than the reads that they save.
-float rtwOccluded(int light, ivec2 texel, vec2 centre, vec3 q, vec2 gradient, float tolerance)
+float rtwOccluded(int layer, ivec2 texel, vec2 centre, vec3 q, vec2 gradient, float tolerance)
 {
-  float depth = texelFetch(rtwDepths, ivec3(texel, light + rtwFirstLayer), 0).r;
+  float depth = texelFetch(rtwDepths, ivec3(texel, layer), 0).r;
 #if RTW_DEPTH_TEST == 2
   return float(depth < q.z - tolerance);
 #else
@@ -29,7 +31,7 @@ float rtwOccluded(int light, ivec2 texel, vec2 centre, vec3 q, vec2 gradient, fl
   // Bounded, because the tangent plane of a receiver that the light grazes is steep.
   float plane = q.z - max(dot(gradient, away), -0.5);
 #if RTW_DEPTH_TEST == 0
-  vec2 slope = texelFetch(rtwGradients, ivec3(texel, light + rtwFirstLayer), 0).rg;
+  vec2 slope = texelFetch(rtwGradients, ivec3(texel, layer), 0).rg;
   return float(max(depth - plane, depth + dot(slope, away) - q.z) < -tolerance);
 #else
   return float(depth - plane < -tolerance);
@@ -38,21 +40,21 @@ float rtwOccluded(int light, ivec2 texel, vec2 centre, vec3 q, vec2 gradient, fl
 }
 
 // 1 lit, 0 in shadow.
-float rtwFiltered(int light, vec3 q, vec2 gradient, float tolerance)
+float rtwFiltered(int layer, vec3 q, vec2 gradient, float tolerance)
 {
   int last = rtwWarpSize.y - 1;
-  vec2 at = rtwWarp(light + rtwFirstLayer, q.xy) * float(rtwWarpSize.y);
+  vec2 at = rtwWarp(layer, q.xy) * float(rtwWarpSize.y);
 #if RTW_FILTER == 0
   ivec2 texel = clamp(ivec2(floor(at)), 0, last);
-  return 1.0 - rtwOccluded(light, texel, rtwTexelCentres(light + rtwFirstLayer, texel).xz, q, gradient, tolerance);
+  return 1.0 - rtwOccluded(layer, texel, rtwTexelCentres(layer, texel).xz, q, gradient, tolerance);
 #else
   ivec2 corner = clamp(ivec2(floor(at - 0.5)), 0, last - 1);
   vec2 f = clamp(at - 0.5 - vec2(corner), 0.0, 1.0);
-  vec4 c = rtwTexelCentres(light + rtwFirstLayer, corner);
-  vec4 dark = vec4(rtwOccluded(light, corner, c.xz, q, gradient, tolerance),
-    rtwOccluded(light, corner + ivec2(1, 0), c.yz, q, gradient, tolerance),
-    rtwOccluded(light, corner + ivec2(0, 1), c.xw, q, gradient, tolerance),
-    rtwOccluded(light, corner + ivec2(1, 1), c.yw, q, gradient, tolerance));
+  vec4 c = rtwTexelCentres(layer, corner);
+  vec4 dark = vec4(rtwOccluded(layer, corner, c.xz, q, gradient, tolerance),
+    rtwOccluded(layer, corner + ivec2(1, 0), c.yz, q, gradient, tolerance),
+    rtwOccluded(layer, corner + ivec2(0, 1), c.xw, q, gradient, tolerance),
+    rtwOccluded(layer, corner + ivec2(1, 1), c.yw, q, gradient, tolerance));
   vec2 rows = mix(dark.xz, dark.yw, f.x);
   return 1.0 - mix(rows.x, rows.y, f.y);
 #endif
@@ -64,9 +66,11 @@ float rtwVisibility(int light, vec4 l, vec3 dx, vec3 dy)
 {
   float area = dx.x * dy.y - dx.y * dy.x;
   // A surface that faces both viewer and light is seen the other way round from the light plane's back.
-  bool faces = area < 0.0 && l.w > 0.0;
+  vec3 cone = rtwCone[light].xyz;
+  bool faces = area < 0.0 && l.w > 0.0 && (cone.z == 0.0 || distance(l.xy, cone.xy) <= cone.z);
   float visibility = faces ? 1.0 : RTW_NOT_LIT;
-  vec4 focus = rtwFocus(light + rtwFirstLayer);
+  int layer = light + rtwFirstLayer;
+  vec4 focus = rtwFocus(layer);
   vec3 q = vec3(rtwFocused(focus, l.xy), l.z);
   if (faces && all(equal(clamp(q.xy, 0.0, 1.0), q.xy)))
   {
@@ -79,7 +83,10 @@ float rtwVisibility(int light, vec4 l, vec3 dx, vec3 dy)
 #else
     float tolerance = t.x + t.y / (l.w * l.w) + 1e-6 * (abs(gradient.x) + abs(gradient.y));
 #endif
-    visibility = rtwFiltered(light, q, gradient, tolerance);
+    visibility = rtwFiltered(layer, q, gradient, tolerance);
+#if RTW_OTHER_LAYERS
+    visibility = min(visibility, rtwFiltered(layer + rtwOtherLayers, q, gradient, tolerance));
+#endif
   }
   return visibility;
 }

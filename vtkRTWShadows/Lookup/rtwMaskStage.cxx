@@ -38,7 +38,7 @@ bool MaskStage::Build(const ReceiverShape& shape)
     150);
 }
 
-void MaskStage::Render(const ReceiverLights& lights, const ViewSampler& samples,
+void MaskStage::Render(const ReceiverLights& lights, int otherLayers, const ViewSampler& samples,
   const DenseLayers& layers, const WarpTable& table)
 {
   this->Mask.Allocate(Format::Byte1, samples.GetWidth(), samples.GetHeight(), lights.Count);
@@ -49,6 +49,7 @@ void MaskStage::Render(const ReceiverLights& lights, const ViewSampler& samples,
   layers.GetGradients().Bind(GradientUnit);
   this->Drawing.Set("rtwDepths", DepthUnit);
   this->Drawing.Set("rtwGradients", GradientUnit);
+  this->Drawing.Set("rtwOtherLayers", otherLayers);
   for (int light = 0; light < lights.Count; ++light)
   {
     if (!this->Target.BindColour(this->Mask, light))
@@ -57,6 +58,8 @@ void MaskStage::Render(const ReceiverLights& lights, const ViewSampler& samples,
     }
     this->Drawing.Set("rtwFirstLayer", light);
     this->Drawing.SetMatrix("rtwToLight", lights.ToLight.data() + 16 * light);
+    const float* cone = lights.Cone.data() + 4 * light;
+    glUniform4f(this->Drawing.Location("rtwCone"), cone[0], cone[1], cone[2], cone[3]);
     const float* tolerance = lights.Tolerance.data() + 3 * light;
     this->Drawing.Set("rtwTolerance", tolerance[0], tolerance[1], tolerance[2]);
     this->Triangle.Draw();

@@ -24,8 +24,8 @@ public:
   bool Build(const ReceiverShape& shape);
   const std::string& GetLog() const { return this->Drawing.GetLog(); }
   /// One layer a light.
-  void Render(const ReceiverLights& lights, const ViewSampler& samples, const DenseLayers& layers,
-    const WarpTable& table);
+  void Render(const ReceiverLights& lights, int otherLayers, const ViewSampler& samples,
+    const DenseLayers& layers, const WarpTable& table);
   const Texture& GetMask() const { return this->Mask; }
   void Release();
   void Abandon();

@@ -1,6 +1,5 @@
 // A receiver that looks its shadow up itself: translucent, or multisampled, so that the mask doesn't know it.
 uniform float rtwAttenuation[RTW_LIGHTS];
-uniform int rtwReceives;
 
 // What a light's colour is to be multiplied by. To be called by all fragments.
 float rtwFactor(int light, vec3 p)

@@ -2,7 +2,6 @@
 uniform sampler2DArray rtwMask;
 uniform ivec2 rtwMaskOrigin; // of the viewport
 uniform float rtwAttenuation[RTW_LIGHTS];
-uniform int rtwReceives;
 
 // What a light's colour is to be multiplied by.
 float rtwFactor(int light, vec3 p)

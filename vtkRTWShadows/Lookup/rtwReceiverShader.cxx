@@ -86,11 +86,18 @@ void InjectPlacing(std::string& vertex, std::string& geometry, const ReceiverSha
   }
 }
 
-// Depth as the fragment has it by now; imposters write their own.
+// Unlit primitives and point gaussians know no position, and receive nothing.
+bool KnowsPosition(const std::string& fragment)
+{
+  return Contains(fragment, "vec4 vertexVC =") || Contains(fragment, "vertexVC.xyz");
+}
+
+// Depth as the fragment has it by now, because imposters write their own, and its position where it has one.
 std::string GeometryCode(const std::string& fragment)
 {
-  const char* depth = Contains(fragment, "gl_FragDepth") ? "gl_FragDepth" : "gl_FragCoord.z";
-  return std::string("rtwGeometryOutput(") + depth + ")";
+  const char* depth = Contains(fragment, "gl_FragDepth =") ? "gl_FragDepth" : "gl_FragCoord.z";
+  const char* position = KnowsPosition(fragment) ? "vertexVC.z" : "0.0";
+  return std::string("rtwGeometryOutput(") + depth + ", " + position + ")";
 }
 
 std::string FactorCode(const ReceiverShape& shape)
@@ -142,7 +149,7 @@ bool ReceiverShape::operator==(const ReceiverShape& other) const
   const bool sameWarp = this->Warp.Name == other.Warp.Name ||
     (this->Warp.Name && other.Warp.Name && !std::strcmp(this->Warp.Name, other.Warp.Name));
   return sameWarp && this->Switched == other.Switched && this->Filter == other.Filter &&
-    this->DepthTest == other.DepthTest;
+    this->DepthTest == other.DepthTest && this->OtherLayers == other.OtherLayers;
 }
 
 void MarkPlaces(std::string& fragment)
@@ -157,7 +164,7 @@ std::string DefinitionsOf(const ReceiverShape& shape)
 {
   return "#define RTW_LIGHTS " + std::to_string(shape.Switched.size()) + "\n#define RTW_FILTER " +
     std::to_string(shape.Filter) + "\n#define RTW_DEPTH_TEST " + std::to_string(shape.DepthTest) +
-    "\n";
+    "\n#define RTW_OTHER_LAYERS " + (shape.OtherLayers ? "1\n" : "0\n");
 }
 
 void InjectReceiver(
@@ -165,9 +172,8 @@ void InjectReceiver(
 {
   std::string& fragment = sources.Fragment;
   const bool direct = receiving == Receiving::Direct;
-  // Unlit primitives and point gaussians know no position and receive nothing.
-  const bool lit = Contains(fragment, "vec4 vertexVC =") || Contains(fragment, "vertexVC.xyz");
-  std::string code = DefinitionsOf(shape);
+  const bool lit = KnowsPosition(fragment);
+  std::string code = DefinitionsOf(shape) + "uniform int rtwReceives;\n";
   if (drawsItself || direct)
   {
     code += WarpCode(shape);
@@ -209,6 +215,8 @@ ReceiverLights ReceiverLights::Make(
         lights.ToLight.push_back(toLight[column][row]);
       }
     }
+    lights.Cone.insert(lights.Cone.end(),
+      { float(frame.ConeCentre.x), float(frame.ConeCentre.y), float(frame.ConeTangent), 0.f });
     const double depthOfLength = frame.DepthOfLength();
     lights.Tolerance.insert(lights.Tolerance.end(),
       { 4e-7f, float(2e-6 * size * depthOfLength), float(bias * size * depthOfLength) });
@@ -249,8 +257,11 @@ void ReceiverUniforms::Set(vtkShaderProgram* program) const
     program->SetUniformi("rtwDepths", this->DepthUnit);
     program->SetUniformi("rtwGradients", this->GradientUnit);
     program->SetUniformi("rtwFirstLayer", 0);
+    program->SetUniformi("rtwOtherLayers", this->OtherLayers);
     program->SetUniformMatrix4x4v(
       "rtwToLight", n, const_cast<float*>(this->Lights.ToLight.data()));
+    program->SetUniform4fv(
+      "rtwCone", n, reinterpret_cast<const float(*)[4]>(this->Lights.Cone.data()));
     program->SetUniform3fv("rtwTolerance", n,
       reinterpret_cast<const float(*)[3]>(this->Lights.Tolerance.data()));
   }

@@ -35,6 +35,7 @@ struct ReceiverShape
   std::vector<int> Switched; ///< of each shadowing light, N of VTK's lightColorN
   int Filter = 1;
   int DepthTest = 0;
+  bool OtherLayers = false; ///< whether some casters have layers of their own
 
   bool operator==(const ReceiverShape& other) const;
 };
@@ -58,7 +59,7 @@ void InjectReceiver(ReceiverSources sources, const ReceiverShape& shape, Receivi
 /// Each light's parameters, as arrays of floats.
 struct ReceiverLights
 {
-  std::vector<float> ToLight, Tolerance, Attenuation;
+  std::vector<float> ToLight, Cone, Tolerance, Attenuation;
   int Count = 0;
 
   static ReceiverLights Make(
@@ -69,6 +70,7 @@ struct ReceiverUniforms
 {
   Phase CurrentPhase = Phase::Picture;
   int Layer = 0;
+  int OtherLayers = 0;
   bool LightParallel = false;
   int WarpUnit = 0, DepthUnit = 0, GradientUnit = 0, MaskUnit = 0;
   int Cells = 1, Resolution = 1;

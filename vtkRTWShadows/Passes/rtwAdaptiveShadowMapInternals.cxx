@@ -60,10 +60,11 @@ vtkAdaptiveShadowMapPass::Internals::Attachment::Attachment(Internals& internals
   }
   this->My.Uniforms = this->My.Pipeline.MakeUniforms(this->My.Options);
   rtw::ReceiverUniforms& uniforms = this->My.Uniforms;
+  const std::vector<rtw::LightFrame>& frames = this->My.Pipeline.GetFrames();
   uniforms.CurrentPhase = phase;
   uniforms.Layer = layer;
   uniforms.LightParallel =
-    this->My.Pipeline.GetFrames()[layer].Light.Kind == rtw::LightKind::Directional;
+    frames[layer % frames.size()].Light.Kind == rtw::LightKind::Directional;
   uniforms.WarpUnit = this->Units[0];
   uniforms.DepthUnit = this->Units[1];
   uniforms.GradientUnit = this->Units[2];

@@ -119,21 +119,39 @@ bool ShadowPipeline::NeedsViewSamples(const PipelineOptions& options) const
     (options.Masked || options.FocusOnView || this->Warp->NeedsViewSamples());
 }
 
+int ShadowPipeline::CountOtherLayers(const FrameScene& scene, std::size_t lights) const
+{
+  const bool others = std::any_of(scene.Props.begin(), scene.Props.end(),
+    [](const SceneProp& prop) { return prop.Casts; });
+  return others && this->OwnDrawing && this->Warp->NeedsViewSamples() ? static_cast<int>(lights)
+                                                                      : 0;
+}
+
 // From view samples to a filled warp table.
 void ShadowPipeline::Analyse(const FrameScene& scene, const PipelineOptions& options)
 {
+  std::vector<LightFrame> frames = this->Frames;
+  std::vector<Rectangle> unsampled = this->UnsampledReceivers(scene);
+  if (this->OtherLayers > 0)
+  {
+    frames.insert(frames.end(), this->Frames.begin(), this->Frames.end());
+    unsampled.insert(unsampled.end(), unsampled.begin(), unsampled.begin() + this->OtherLayers);
+  }
   if (options.FocusOnView && this->OwnDrawing)
   {
     StageTimers::Scope timer(this->Timers, "focus");
-    this->Focus.Reduce(this->Frames, this->UnsampledReceivers(scene), this->Sampler,
-      options.ViewSampleStride, this->Table);
+    this->Focus.Reduce(frames, unsampled, this->Sampler, options.ViewSampleStride, this->Table);
   }
   else
   {
-    for (std::size_t layer = 0; layer < this->Frames.size(); ++layer)
+    for (std::size_t layer = 0; layer < frames.size(); ++layer)
     {
-      this->Table.WriteFocus(static_cast<int>(layer), this->Frames[layer].Bounds);
+      this->Table.WriteFocus(static_cast<int>(layer), frames[layer].Bounds);
     }
+  }
+  for (int layer = 0; layer < this->OtherLayers; ++layer)
+  {
+    this->Table.WriteIdentity(static_cast<int>(this->Frames.size()) + layer);
   }
   if (this->OwnDrawing)
   {
@@ -177,6 +195,11 @@ bool ShadowPipeline::Update(const View& view, const FrameScene& scene,
   const std::uint64_t signature = this->Sign(scene, lights, options);
   if (options.Caching && signature == this->LastSignature)
   {
+    // What no map depends on may have changed all the same.
+    for (std::size_t i = 0; i < this->Frames.size(); ++i)
+    {
+      this->Frames[i].Light = lights[i];
+    }
     this->Counted.LayersReused = static_cast<int>(this->Frames.size());
     return true;
   }
@@ -198,15 +221,14 @@ void ShadowPipeline::Draw(const FrameScene& scene, const std::vector<ShadowLight
     this->Store.Update(scene.Parts);
   }
   this->MakeFrames(scene, lights);
-  this->Layers.Allocate(options.Resolution, layers);
-  this->Table.Allocate(
-    (this->OwnDrawing ? this->Warp : this->Fallback)->GetCells(), options.Resolution, layers);
+  this->OtherLayers = this->CountOtherLayers(scene, lights.size());
+  this->Layers.Allocate(options.Resolution, layers + this->OtherLayers);
+  this->Table.Allocate((this->OwnDrawing ? this->Warp : this->Fallback)->GetCells(),
+    options.Resolution, layers + this->OtherLayers);
   this->HasSamples = this->HasMask = false;
   if (this->NeedsViewSamples(options))
   {
-    const bool others = std::any_of(scene.Props.begin(), scene.Props.end(),
-      [](const SceneProp& prop) { return prop.Receives; });
-    this->DrawViewSamples(guard, others ? mappers.ViewSamples : nullptr);
+    this->DrawViewSamples(guard, scene.Props.empty() ? nullptr : mappers.ViewSamples);
   }
   this->Analyse(scene, options);
   for (int layer = 0; layer < layers; ++layer)
@@ -239,7 +261,7 @@ void ShadowPipeline::DrawMask(const PipelineOptions& options)
   {
     this->Masking.Render(
       ReceiverLights::Make(this->Frames, this->Viewed, options.Bias, this->SceneSize),
-      this->Sampler, this->Layers, this->Table);
+      this->OtherLayers, this->Sampler, this->Layers, this->Table);
     this->HasMask = true;
   }
 }
@@ -279,10 +301,12 @@ void ShadowPipeline::DrawLayer(StateGuard& guard, int layer, const FrameScene& s
   {
     this->Casters.Draw(this->Store, this->Table, frame, layer);
   }
+  const int others = layer + this->OtherLayers;
   if (std::any_of(scene.Props.begin(), scene.Props.end(),
-        [](const SceneProp& prop) { return prop.Casts; }))
+        [](const SceneProp& prop) { return prop.Casts; }) &&
+    (others == layer || this->Layers.BindTarget(others)))
   {
-    guard.DrawWithVTK([&] { mappers.Casters(layer, frame); });
+    guard.DrawWithVTK([&] { mappers.Casters(others, frame); });
   }
 }
 
@@ -291,6 +315,7 @@ ReceiverUniforms ShadowPipeline::MakeUniforms(const PipelineOptions& options) co
   ReceiverUniforms uniforms;
   uniforms.Cells = this->Table.GetCells();
   uniforms.Resolution = this->Table.GetResolution();
+  uniforms.OtherLayers = this->OtherLayers;
   uniforms.OriginX = this->Viewed.OriginX;
   uniforms.OriginY = this->Viewed.OriginY;
   uniforms.DepthToSample = glm::vec2(ViewSampler::DepthToSample(this->Viewed));

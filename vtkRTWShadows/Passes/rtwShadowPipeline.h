@@ -48,7 +48,7 @@ struct PipelineOptions
 struct MapperDrawing
 {
   std::function<void()> ViewSamples;
-  std::function<void(int layer, const LightFrame& frame)> Casters;
+  std::function<void(int layer, const LightFrame& frame)> Casters; ///< layer is that of the warp table
 };
 
 class ShadowPipeline
@@ -85,6 +85,10 @@ public:
   int ClampResolution(unsigned int resolution) const;
   StageTimers& GetTimers() { return this->Timers; }
   /// The mask of the last frame; made now, where the picture didn't need it.
+  /// By how many layers those of casters that mappers draw lie behind the lights' own; 0 where they share them.
+  int GetOtherLayers() const { return this->OtherLayers; }
+  /// Whether such layers are needed for a scene.
+  int CountOtherLayers(const FrameScene& scene, std::size_t lights) const;
   const Texture& GetMask(const PipelineOptions& options, const std::function<void()>& mapperSamples);
   const Statistics& GetStatistics() const { return this->Counted; }
   CasterCounts ReadCasterCounts(int layer) const { return this->Casters.ReadCounts(layer); }
@@ -120,6 +124,7 @@ private:
   FocusStage Focus;
   CasterDrawing Casters;
   MaskStage Masking;
+  int OtherLayers = 0; ///< unwarped, behind the lights' own: of casters that mappers draw, whose edges can't be warped
   bool HasSamples = false; ///< of the last frame
   bool HasMask = false;
   DenseLayers Layers;

@@ -115,7 +115,8 @@ void vtkAdaptiveShadowMapPass::Bake(const vtkRenderState* s)
   my.Options.Bias = this->ConstantBias;
   // Samples of a pixel see other surfaces than its centre; without own programs a mask would cost a pass through VTK's mappers.
   my.Options.Masked = my.Pipeline.HasOwnDrawing() && window->GetMultiSamples() <= 1;
-  rtw::ReceiverShape shape{ my.Pipeline.GetShape(), {}, this->Filter, this->DepthTest };
+  rtw::ReceiverShape shape{ my.Pipeline.GetShape(), {}, this->Filter, this->DepthTest,
+    my.Pipeline.CountOtherLayers(my.Scene, my.Lights.Shadowing.size()) > 0 };
   for (const rtw::ShadowLight& light : my.Lights.Shadowing)
   {
     shape.Switched.push_back(light.Switched);
@@ -134,16 +135,19 @@ void vtkAdaptiveShadowMapPass::Bake(const vtkRenderState* s)
   my.Options.Signature = my.Sign(this->Warp->GetMTime());
   my.Pipeline.Update(rtw::ViewOf(s), my.Scene, my.Lights.Shadowing, my.Options,
     { [this, renderer] { this->DrawViewSamples(renderer); },
-      [this, renderer](int layer, const rtw::LightFrame&) { this->DrawCasters(renderer, layer); } });
+      [this, renderer](int layer, const rtw::LightFrame& frame) {
+        this->DrawCasters(renderer, layer, frame);
+      } });
 }
 
-void vtkAdaptiveShadowMapPass::DrawCasters(vtkRenderer* renderer, int layer)
+void vtkAdaptiveShadowMapPass::DrawCasters(
+  vtkRenderer* renderer, int layer, const rtw::LightFrame& frame)
 {
   Internals& my = *this->Shadows;
   Internals::Attachment attachment(my, this, my.Scene.Shaded, rtw::Phase::LightPass, layer);
   if (attachment.IsComplete())
   {
-    rtw::DrawMapperCasters(renderer, my.Scene.Props, my.Pipeline.GetFrames()[layer]);
+    rtw::DrawMapperCasters(renderer, my.Scene.Props, frame);
   }
 }
 
@@ -153,7 +157,7 @@ void vtkAdaptiveShadowMapPass::DrawViewSamples(vtkRenderer* renderer)
   Internals::Attachment attachment(my, this, my.Scene.Shaded, rtw::Phase::ViewSamples, 0);
   if (attachment.IsComplete())
   {
-    rtw::DrawMapperReceivers(renderer, my.Scene.Props);
+    rtw::DrawMapperSamples(renderer, my.Scene.Props);
   }
 }
 

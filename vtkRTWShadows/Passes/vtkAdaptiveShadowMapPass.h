@@ -35,6 +35,11 @@ class vtkRenderer;
 class vtkShadowMapPartition;
 class vtkShadowMapWarp;
 
+namespace rtw
+{
+struct LightFrame;
+}
+
 class VTKRTWSHADOWS_EXPORT vtkAdaptiveShadowMapPass : public vtkShadowMapPass
 {
 public:
@@ -122,8 +127,9 @@ public:
 
   ///@{
   /**
-   * One of Rasterizations; any other value is refused with an error. What VTK's own mappers have to draw (glyphs,
-   * imposters, cut-outs, clipped meshes) is drawn LINEAR whatever this says. Default: EXACT.
+   * One of Rasterizations; any other value is refused with an error. What only VTK's own mappers can draw (glyphs,
+   * imposters, cut-outs, clipped meshes) is not warped at all, whatever this says: it has a layer of its own, which is
+   * focused and uniform. Default: EXACT.
    */
   virtual void SetRasterization(int rasterization);
   vtkGetMacro(Rasterization, int);
@@ -295,7 +301,7 @@ private:
   bool Choose(int& member, int value, bool valid, const char* property, const char* choices);
   void Bake(const vtkRenderState* s);
   void WarnOnce();
-  void DrawCasters(vtkRenderer* renderer, int layer);
+  void DrawCasters(vtkRenderer* renderer, int layer, const rtw::LightFrame& frame);
   void DrawViewSamples(vtkRenderer* renderer);
 
   std::unique_ptr<Internals> Shadows;

@@ -34,6 +34,30 @@ void WarpTable::WriteFocus(int layer, const Rectangle& focus)
   glBindTexture(GL_TEXTURE_2D, 0);
 }
 
+void WarpTable::WriteIdentity(int layer)
+{
+  std::vector<float> forward, inverse;
+  for (int i = 0; i < this->Cells; ++i)
+  {
+    forward.push_back(float(i) / float(this->Cells));
+    forward.push_back(float(i + 1) / float(this->Cells));
+  }
+  for (int i = 0; i < this->Resolution; ++i)
+  {
+    inverse.push_back((float(i) + 0.5f) / float(this->Resolution));
+    inverse.push_back((float(i) + 1.5f) / float(this->Resolution));
+  }
+  glBindTexture(GL_TEXTURE_2D, this->Table.GetId());
+  for (int row = 0; row < RowsPerLayer; ++row)
+  {
+    const bool isForward = row < 2;
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, RowsPerLayer * layer + row,
+      isForward ? this->Cells : this->Resolution, 1, GL_RG, GL_FLOAT,
+      (isForward ? forward : inverse).data());
+  }
+  glBindTexture(GL_TEXTURE_2D, 0);
+}
+
 void WarpTable::Bind(const Program& program) const
 {
   this->Table.Bind(Unit);

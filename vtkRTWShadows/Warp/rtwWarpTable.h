@@ -22,6 +22,8 @@ public:
   void Allocate(int cells, int resolution, int layers);
   /// Sets a layer's focus from the CPU.
   void WriteFocus(int layer, const Rectangle& focus);
+  /// Sets a layer's warping functions to none.
+  void WriteIdentity(int layer);
   /// Gives a program of ours the table.
   void Bind(const Program& program) const;
   const Texture& GetTexture() const { return this->Table; }
