@@ -8,6 +8,9 @@
 #include "vtkAssemblyNode.h"
 #include "vtkAssemblyPath.h"
 #include "vtkCollection.h"
+#include "vtkCuller.h"
+#include "vtkCullerCollection.h"
+#include "vtkFrustumCoverageCuller.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
 #include "vtkMapper.h"
@@ -72,6 +75,23 @@ bool IsWorldly(vtkProp* prop)
     prop->IsA("vtkLODProp3D");
 }
 
+// Whether props that the cullers leave out can't be seen.
+bool KeepsAllInView(vtkRenderer* renderer)
+{
+  vtkCullerCollection* cullers = renderer->GetCullers();
+  vtkCollectionSimpleIterator it;
+  cullers->InitTraversal(it);
+  while (vtkCuller* culler = cullers->GetNextCuller(it))
+  {
+    auto* coverage = vtkFrustumCoverageCuller::SafeDownCast(culler);
+    if (!coverage || coverage->GetMinimumCoverage() > 0)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 struct Collector
 {
   FrameScene Result;
@@ -125,6 +145,7 @@ struct Collector
       {
         const glm::dmat4 toWorld = node->GetMatrix() ? ToGlm(node->GetMatrix()) : glm::dmat4(1);
         const bool opaque = actor->GetProperty()->GetOpacity() >= 1;
+        this->Result.SamplesAreComplete = this->Result.SamplesAreComplete && DrawsAllAsIs(actor);
         const bool lit = receives && actor->GetProperty()->GetLighting();
         for (vtkPolyData* mesh : MeshesOf(actor))
         {
@@ -164,6 +185,7 @@ struct Collector
     if (!plain)
     {
       parts.clear();
+      this->Result.SamplesAreComplete = false;
       this->Result.Props.push_back(
         { prop, casts, receives, prop->HasTranslucentPolygonalGeometry() != 0 });
     }
@@ -179,6 +201,7 @@ struct Collector
 FrameScene CollectScene(vtkRenderer* renderer, const SceneKeys& keys, bool ownDrawing)
 {
   Collector collector{ {}, keys, ownDrawing };
+  collector.Result.SamplesAreComplete = KeepsAllInView(renderer);
   vtkPropCollection* props = renderer->GetViewProps();
   vtkCollectionSimpleIterator it;
   props->InitTraversal(it);

@@ -49,6 +49,8 @@ struct FrameScene
   std::vector<glm::dvec3> PropCorners;
   /// Corners of the bounds of receivers that are not among the view samples, eight for each.
   std::vector<glm::dvec3> UnsampledReceivers;
+  /// Whether the view samples show exactly what the opaque props will cover, so that they may stand in for its depth.
+  bool SamplesAreComplete = true;
   /// Changes whenever anything that the shadows depend on does.
   std::uint64_t Signature = 0;
 

@@ -143,6 +143,18 @@ bool IsPlainMeshActor(vtkActor* actor)
   return !HasRoundPrimitives(actor, MeshesOf(actor)) && !HasTranslucentScalars(actor, mapper);
 }
 
+bool DrawsAllAsIs(vtkActor* actor)
+{
+  vtkProperty* property = actor->GetProperty();
+  const std::vector<vtkPolyData*> meshes = MeshesOf(actor);
+  return !property->GetBackfaceCulling() && !property->GetFrontfaceCulling() &&
+    !property->GetEdgeVisibility() && !property->GetVertexVisibility() &&
+    vtkMapper::GetResolveCoincidentTopology() == VTK_RESOLVE_OFF &&
+    std::all_of(meshes.begin(), meshes.end(), [](vtkPolyData* mesh) {
+      return mesh->GetNumberOfLines() == 0 && mesh->GetNumberOfVerts() == 0;
+    });
+}
+
 vtkMTimeType MeshTime(vtkPolyData* mesh)
 {
   vtkMTimeType time = mesh->GetPoints() ? mesh->GetPoints()->GetMTime() : 0;

@@ -15,6 +15,9 @@ namespace rtw
 /// Whether drawing the triangles, lines and vertices of its meshes, opaque, gives the same silhouette and depth as its own
 /// mapper does. Imposters, glyphs, cut-out textures, clipping planes, wireframes and shaders with user code don't.
 bool IsPlainMeshActor(vtkActor* actor);
+/// Whether its own mapper then draws all of those triangles at no other depth: no culled faces, no offsets between coincident
+/// primitives.
+bool DrawsAllAsIs(vtkActor* actor);
 /// The meshes of such an actor, brought up to date; hidden blocks of a composite dataset left out.
 std::vector<vtkPolyData*> MeshesOf(vtkActor* actor);
 /// When a mesh's geometry last changed.

@@ -5,7 +5,10 @@
 #include "rtwCullView.h"
 #include "rtwGeometryStore.h"
 #include "rtwOpenGL.h"
+#include "rtwPrimeDepthFS.h"
+#include "rtwScreenVS.h"
 #include "rtwStateGuard.h"
+#include "rtwViewSampleAccess.h"
 #include "rtwViewSampleFS.h"
 #include "rtwViewSampleVS.h"
 
@@ -17,12 +20,14 @@ bool ViewSampler::Build()
 {
   return this->Culling.Build({ { GL_COMPUTE_SHADER, { rtwClusterDraw, rtwCullView } } }) &&
     this->Drawing.Build({ { GL_VERTEX_SHADER, { rtwViewSampleVS } },
-      { GL_FRAGMENT_SHADER, { rtwViewSampleFS } } });
+      { GL_FRAGMENT_SHADER, { rtwViewSampleFS } } }) &&
+    this->Priming.Build({ { GL_VERTEX_SHADER, { rtwScreenVS } },
+      { GL_FRAGMENT_SHADER, { rtwViewSampleAccess, rtwPrimeDepthFS } } });
 }
 
-const std::string& ViewSampler::GetLog() const
+std::string ViewSampler::GetLog() const
 {
-  return this->Culling.IsBuilt() ? this->Drawing.GetLog() : this->Culling.GetLog();
+  return this->Culling.GetLog() + this->Drawing.GetLog() + this->Priming.GetLog();
 }
 
 void ViewSampler::Cull(const GeometryStore& store, bool receiving)
@@ -100,6 +105,18 @@ glm::dvec2 ViewSampler::DepthToSample(const View& view)
   return view.Parallel ? glm::dvec2(1, 0) : glm::dvec2(2, p[2][2] - 1) / p[3][2];
 }
 
+void ViewSampler::PrimeDepth(double farther)
+{
+  constexpr float share = 1e-3f;
+  const glm::dvec2 back = DepthToSample(this->Viewed);
+  this->Priming.Use();
+  this->Bind(this->Priming);
+  glUniform2i(this->Priming.Location("rtwOrigin"), this->Viewed.OriginX, this->Viewed.OriginY);
+  this->Priming.Set("rtwSampleToDepth", float(1 / back.x), float(-back.y / back.x));
+  this->Priming.Set("rtwFarther", share, float(farther));
+  this->Triangle.DrawDepth();
+}
+
 void ViewSampler::Bind(const Program& program) const
 {
   const glm::dmat4& p = this->Viewed.ViewToClip;
@@ -130,6 +147,8 @@ void ViewSampler::Release()
   this->Matrices.Release();
   this->Commands.Release();
   this->Array.Release();
+  this->Priming.Release();
+  this->Triangle.Release();
 }
 
 void ViewSampler::Abandon()
@@ -142,5 +161,7 @@ void ViewSampler::Abandon()
   this->Matrices.Abandon();
   this->Commands.Abandon();
   this->Array.Abandon();
+  this->Priming.Abandon();
+  this->Triangle.Abandon();
 }
 }

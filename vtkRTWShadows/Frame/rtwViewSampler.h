@@ -19,13 +19,16 @@ class ViewSampler
 public:
   /// Compiles; false, with the reason in GetLog(), where the driver can't.
   bool Build();
-  const std::string& GetLog() const;
+  std::string GetLog() const;
 
   /// Draws the receivers of the store; without `own`, which Build() has to have allowed, it only clears.
   bool Render(const View& view, const GeometryStore& store, bool own);
   /// Makes the samples' target that of drawing again, for what VTK's mappers have to add.
   bool BindTarget();
 
+  /// Draws them as depth, a little farther than they are, into the target and viewport that are bound. `farther` is a distance that
+  /// rounding doesn't exceed.
+  void PrimeDepth(double farther);
   /// Gives a program the samples.
   void Bind(const Program& program) const;
   const View& GetView() const { return this->Viewed; }
@@ -44,9 +47,10 @@ private:
   View Viewed;
   Texture Depth, Samples;
   Framebuffer Target;
-  Program Culling, Drawing;
+  Program Culling, Drawing, Priming;
   Buffer Matrices, Commands;
   MeshArray Array;
+  ScreenTriangle Triangle;
 };
 }
 

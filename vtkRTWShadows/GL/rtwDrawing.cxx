@@ -55,16 +55,30 @@ void MeshArray::Release()
 
 void ScreenTriangle::Draw()
 {
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_SCISSOR_TEST);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  this->DrawArrays();
+}
+
+void ScreenTriangle::DrawDepth()
+{
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LESS);
+  glDepthMask(GL_TRUE);
+  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  this->DrawArrays();
+}
+
+void ScreenTriangle::DrawArrays()
+{
   if (!this->Id)
   {
     glGenVertexArrays(1, &this->Id);
   }
-  glDisable(GL_DEPTH_TEST);
   glDisable(GL_BLEND);
   glDisable(GL_CULL_FACE);
-  glDisable(GL_SCISSOR_TEST);
   glDisable(GL_STENCIL_TEST);
-  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glBindVertexArray(this->Id);
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }

@@ -45,7 +45,7 @@ private:
   unsigned int Id = 0;
 };
 
-/// A triangle without points: the vertex shader makes them. No depth test, no blending.
+/// A triangle without points that covers the viewport: rtwScreenVS.glsl makes them.
 class ScreenTriangle
 {
 public:
@@ -53,11 +53,16 @@ public:
   ScreenTriangle(const ScreenTriangle&) = delete;
   ScreenTriangle& operator=(const ScreenTriangle&) = delete;
 
+  /// Colour, with no depth test and no blending.
   void Draw();
+  /// Depth alone, where it is less.
+  void DrawDepth();
   void Release();
   void Abandon() { this->Id = 0; }
 
 private:
+  void DrawArrays();
+
   unsigned int Id = 0;
 };
 

@@ -23,7 +23,7 @@ vec3 myEdges[3];
 vec3 myAnchor;
 vec2 mySlope;
 vec2 myDepthRange;
-int myBent;
+int myBent = 0;
 
 // Relative to the corner that is farthest from the light: differences of large numbers would leave nothing of a small triangle.
 bool rtwSetUp()
@@ -132,7 +132,6 @@ void main()
 {
   vec4 bounds;
   bool crosses;
-  myBent = 0;
   if (!rtwSetUp() || !rtwBounds(bounds, crosses))
   {
     return;

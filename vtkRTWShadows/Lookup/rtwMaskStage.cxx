@@ -4,9 +4,9 @@
 #include "rtwDenseLayers.h"
 #include "rtwLookup.h"
 #include "rtwMaskFS.h"
-#include "rtwMaskVS.h"
 #include "rtwMaskValue.h"
 #include "rtwOpenGL.h"
+#include "rtwScreenVS.h"
 #include "rtwViewSampleAccess.h"
 #include "rtwViewSampler.h"
 #include "rtwWarpFocus.h"
@@ -31,7 +31,7 @@ bool MaskStage::Build(const ReceiverShape& shape)
   }
   const std::string definitions = DefinitionsOf(one);
   return this->Drawing.Build(
-    { { GL_VERTEX_SHADER, { rtwMaskVS } },
+    { { GL_VERTEX_SHADER, { rtwScreenVS } },
       { GL_FRAGMENT_SHADER,
         { definitions.c_str(), rtwWarpFocus, one.Warp.Function, rtwLookup, rtwViewSampleAccess,
           rtwMaskValue, rtwMaskFS } } },

@@ -3,6 +3,7 @@
 
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkOpenGLState.h"
 #include "vtkProp.h"
 #include "vtkShadowMapWarp.h"
 #include "vtkTextureUnitManager.h"
@@ -70,6 +71,7 @@ vtkAdaptiveShadowMapPass::Internals::Attachment::Attachment(Internals& internals
   uniforms.GradientUnit = this->Units[2];
   uniforms.MaskUnit = this->Units[3];
   this->My.Pipeline.BindTextures(uniforms, phase == rtw::Phase::Picture);
+  this->My.Window->GetState()->ResetGLActiveTexture();
   for (vtkProp* prop : this->Props)
   {
     vtkInformation* keys = prop->GetPropertyKeys();
@@ -89,6 +91,7 @@ vtkAdaptiveShadowMapPass::Internals::Attachment::~Attachment()
   if (this->IsComplete())
   {
     this->My.Pipeline.UnbindTextures(this->My.Uniforms);
+    this->My.Window->GetState()->ResetGLActiveTexture();
     for (vtkProp* prop : this->Props)
     {
       vtkInformation* keys = prop->GetPropertyKeys();

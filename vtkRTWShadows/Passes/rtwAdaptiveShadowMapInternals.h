@@ -33,6 +33,7 @@ public:
   vtkWeakPointer<vtkRenderer> Renderer; ///< that the last bake was for
   vtkSmartPointer<vtkShadowMapWarp> Warp; ///< that the pipeline uses; kept alive for its stage
   vtkSmartPointer<vtkImageData> MaskImage, MapImage, WarpImage;
+  vtkRenderPass* DefaultSequence = nullptr; ///< only compared with
   bool WasMasked = false;
   bool WarnedOfContext = false;
   bool WarnedOfPointLights = false;

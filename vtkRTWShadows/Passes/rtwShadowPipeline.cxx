@@ -243,6 +243,15 @@ void ShadowPipeline::Draw(const FrameScene& scene, const std::vector<ShadowLight
     this->Table.GetMemory() + this->Sampler.GetMemory() + this->Masking.GetMask().GetMemory());
 }
 
+void ShadowPipeline::PrimeDepth(const FrameScene& scene, const PipelineOptions& options)
+{
+  if (this->HasSamples && options.Masked && scene.SamplesAreComplete)
+  {
+    StateGuard guard(this->Window);
+    this->Sampler.PrimeDepth(2e-6 * this->SceneSize);
+  }
+}
+
 void ShadowPipeline::DrawViewSamples(
   StateGuard& guard, const std::function<void()>& mapperSamples)
 {

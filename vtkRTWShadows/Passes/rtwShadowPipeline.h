@@ -71,6 +71,9 @@ public:
   bool Update(const View& view, const FrameScene& scene, const std::vector<ShadowLight>& lights,
     const PipelineOptions& options, const MapperDrawing& mappers);
 
+  /// Lets the view samples stand in for the depth of what is drawn next, where they are complete: what they hide isn't shaded.
+  void PrimeDepth(const FrameScene& scene, const PipelineOptions& options);
+
   const std::vector<LightFrame>& GetFrames() const { return this->Frames; }
   const View& GetView() const { return this->Viewed; }
   const DenseLayers& GetLayers() const { return this->Layers; }

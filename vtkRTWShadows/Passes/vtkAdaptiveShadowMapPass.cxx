@@ -16,6 +16,7 @@
 #include "vtkShaderProgram.h"
 #include "vtkShadowMapPartition.h"
 
+#include <cstring>
 #include <set>
 #include <utility>
 
@@ -30,6 +31,7 @@ vtkAdaptiveShadowMapPass::vtkAdaptiveShadowMapPass()
 {
   vtkNew<vtkAdaptiveShadowMapBakerPass> baker;
   this->SetShadowMapBakerPass(baker);
+  this->Shadows->DefaultSequence = this->OpaqueSequence;
   this->StageTime.Modified();
 }
 
@@ -189,6 +191,11 @@ void vtkAdaptiveShadowMapPass::RenderShadowed(const vtkRenderState* s, vtkRender
     {
       my.WarnedOfUnits = true;
       vtkWarningMacro("draws without shadows: no three texture units are free; use fewer textures at a time");
+    }
+    // Any other pass may leave props out, and then there would be holes.
+    if (delegate == my.DefaultSequence || !std::strcmp(delegate->GetClassName(), "vtkOpaquePass"))
+    {
+      my.Pipeline.PrimeDepth(my.Scene, my.Options);
     }
     delegate->Render(s);
   }
