@@ -105,6 +105,13 @@ glm::dvec2 ViewSampler::DepthToSample(const View& view)
   return view.Parallel ? glm::dvec2(1, 0) : glm::dvec2(2, p[2][2] - 1) / p[3][2];
 }
 
+glm::dvec3 ViewSampler::RayStep(const View& view)
+{
+  const glm::dmat4& p = view.ViewToClip;
+  return { 2 / (p[0][0] * view.Width), 2 / (p[1][1] * view.Height),
+    view.Parallel ? -0.5 * p[2][2] : 0.0 };
+}
+
 void ViewSampler::PrimeDepth(double farther)
 {
   constexpr float share = 1e-3f;

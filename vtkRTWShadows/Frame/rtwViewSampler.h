@@ -36,6 +36,8 @@ public:
   int GetHeight() const { return this->Samples.GetHeight(); }
   /// How a mapper's window-space depth becomes what a sample holds of it: scale and offset.
   static glm::dvec2 DepthToSample(const View& view);
+  /// From pixel to pixel in view coordinates at distance 1 (anywhere in a parallel view), and there depth a unit.
+  static glm::dvec3 RayStep(const View& view);
   std::size_t GetMemory() const;
   void Release();
   void Abandon();

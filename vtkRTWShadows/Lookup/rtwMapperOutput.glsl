@@ -1,13 +1,22 @@
-// What a mapper's fragment is in the light pass (the occluder's depth gradient) and among the view samples: z is its view coordinate,
-// more precise than depth, or 0 where it isn't known. To be called by all fragments.
+// What a mapper's fragment is in the light pass (the occluder's depth gradient) and among the view samples: z of p is its view coordinate,
+// more precise than depth, or 0 where it isn't known; n is the normal of a surface that curves within the fragment, or 0.
+// To be called by all fragments.
 uniform vec2 rtwDepthToSample; // scale and offset
+uniform vec3 rtwRayStep;       // from pixel to pixel in view coordinates at distance 1; depth a unit in a parallel view
 
-vec4 rtwGeometryOutput(float depth, float z)
+vec4 rtwGeometryOutput(float depth, vec3 p, vec3 n)
 {
   if (rtwPhase == 2)
   {
-    float a = z < 0.0 && cameraParallel == 0 ? -1.0 / z : depth * rtwDepthToSample.x + rtwDepthToSample.y;
-    return vec4(a, dFdx(a), dFdy(a), float(rtwReceives));
+    bool perspective = cameraParallel == 0;
+    float a = p.z < 0.0 && perspective ? -1.0 / p.z : depth * rtwDepthToSample.x + rtwDepthToSample.y;
+    vec2 slope = vec2(dFdx(a), dFdy(a));
+    if (n != vec3(0.0))
+    {
+      // Of the tangent plane: a difference of two points on a sphere is a chord's.
+      slope = n.xy * rtwRayStep.xy * (perspective ? 1.0 / dot(n, p) : rtwRayStep.z / n.z);
+    }
+    return vec4(a, slope, float(rtwReceives));
   }
   vec2 centre = rtwTexelCentres(rtwLayer, ivec2(gl_FragCoord.xy)).xz;
   vec2 slope = vec2(dFdx(depth), dFdy(depth)) / vec2(dFdx(centre.x), dFdy(centre.y));

@@ -92,12 +92,16 @@ bool KnowsPosition(const std::string& fragment)
   return Contains(fragment, "vec4 vertexVC =") || Contains(fragment, "vertexVC.xyz");
 }
 
-// Depth as the fragment has it by now, because imposters write their own, and its position where it has one.
+// Depth as the fragment has it by now, because imposters write their own, its position where it has one, and the normal of imposters,
+// which are round.
 std::string GeometryCode(const std::string& fragment)
 {
-  const char* depth = Contains(fragment, "gl_FragDepth =") ? "gl_FragDepth" : "gl_FragCoord.z";
-  const char* position = KnowsPosition(fragment) ? "vertexVC.z" : "0.0";
-  return std::string("rtwGeometryOutput(") + depth + ", " + position + ")";
+  const bool imposter = Contains(fragment, "gl_FragDepth =");
+  const std::string depth = imposter ? "gl_FragDepth" : "gl_FragCoord.z";
+  const std::string position = KnowsPosition(fragment) ? "vertexVC.xyz" : "vec3(0.0)";
+  const bool round = imposter && Contains(fragment, "normalVCVSOutput =");
+  return "rtwGeometryOutput(" + depth + ", " + position +
+    (round ? ", normalVCVSOutput)" : ", vec3(0.0))");
 }
 
 std::string FactorCode(const ReceiverShape& shape)
@@ -234,6 +238,8 @@ void ReceiverUniforms::Set(vtkShaderProgram* program) const
     program->SetUniformi("rtwLayer", this->Layer);
     program->SetUniformi("rtwLightParallel", this->LightParallel ? 1 : 0);
     program->SetUniform2f("rtwDepthToSample", depthToSample);
+    const float rayStep[] = { this->RayStep.x, this->RayStep.y, this->RayStep.z };
+    program->SetUniform3f("rtwRayStep", rayStep);
   }
   if (program->IsUniformUsed("rtwMask"))
   {

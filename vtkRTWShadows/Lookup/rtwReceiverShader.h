@@ -76,6 +76,7 @@ struct ReceiverUniforms
   int Cells = 1, Resolution = 1;
   int OriginX = 0, OriginY = 0; ///< of the viewport
   glm::vec2 DepthToSample{ 1, 0 };
+  glm::vec3 RayStep{ 0 };
   ReceiverLights Lights;
 
   void Set(vtkShaderProgram* program) const;

@@ -327,6 +327,7 @@ ReceiverUniforms ShadowPipeline::MakeUniforms(const PipelineOptions& options) co
   uniforms.OtherLayers = this->OtherLayers;
   uniforms.OriginX = this->Viewed.OriginX;
   uniforms.OriginY = this->Viewed.OriginY;
+  uniforms.RayStep = glm::vec3(ViewSampler::RayStep(this->Viewed));
   uniforms.DepthToSample = glm::vec2(ViewSampler::DepthToSample(this->Viewed));
   uniforms.Lights =
     ReceiverLights::Make(this->Frames, this->Viewed, options.Bias, this->SceneSize);
