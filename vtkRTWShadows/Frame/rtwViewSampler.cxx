@@ -70,6 +70,7 @@ bool ViewSampler::Render(const View& view, const GeometryStore& store, bool own)
     {
       this->Draw(store, false);
     }
+    this->DrawThin(store);
   }
   return true;
 }
@@ -82,10 +83,16 @@ void ViewSampler::Draw(const GeometryStore& store, bool receiving)
   this->Drawing.Set("rtwReceiving", receiving ? 1.f : 0.f);
   this->Array.Bind(store.GetPoints(), store.GetIndices(), this->Matrices);
   this->Array.DrawIndirect(this->Commands, store.GetNumberOfDraws());
+}
+
+// Lines and vertices have no side to be lit on.
+void ViewSampler::DrawThin(const GeometryStore& store)
+{
+  this->Drawing.Set("rtwReceiving", 0.f);
   for (const ThinDraw& draw : store.GetThinDraws())
   {
     const Instance& instance = store.GetInstances()[draw.Command.BaseInstance];
-    if (receiving ? instance.Receives : instance.Hides)
+    if (instance.Receives || instance.Hides)
     {
       this->Array.Draw(draw.Kind, draw.Command);
     }

@@ -45,6 +45,7 @@ public:
 private:
   void Cull(const GeometryStore& store, bool receiving);
   void Draw(const GeometryStore& store, bool receiving);
+  void DrawThin(const GeometryStore& store);
 
   View Viewed;
   Texture Depth, Samples;

@@ -4,6 +4,7 @@
 #include "rtwAdaptiveShadowMapInternals.h"
 #include "rtwMapperDrawing.h"
 
+#include "vtkActor.h"
 #include "vtkAdaptiveShadowMapBakerPass.h"
 #include "vtkIdentityShadowMapWarp.h"
 #include "vtkInformation.h"
@@ -11,6 +12,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
@@ -232,8 +234,11 @@ bool vtkAdaptiveShadowMapPass::SetShaderParameters(vtkShaderProgram* program, vt
 {
   this->Shadows->Uniforms.Set(program);
   vtkInformation* keys = prop ? prop->GetPropertyKeys() : nullptr;
-  const bool receives =
-    !keys || !keys->Has(RECEIVES_SHADOW()) || keys->Get(RECEIVES_SHADOW()) != 0;
+  // The lines and points that a surface is drawn by have no side to be lit on.
+  auto* actor = vtkActor::SafeDownCast(prop);
+  const bool isSurface = !actor || actor->GetProperty()->GetRepresentation() == VTK_SURFACE;
+  const bool receives = isSurface &&
+    (!keys || !keys->Has(RECEIVES_SHADOW()) || keys->Get(RECEIVES_SHADOW()) != 0);
   program->SetUniformi("rtwReceives", receives ? 1 : 0);
   return true;
 }
