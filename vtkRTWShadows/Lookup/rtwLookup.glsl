@@ -9,7 +9,7 @@ uniform int rtwFirstLayer;  // that the first of these lights has
 uniform int rtwOtherLayers; // how far behind each light's layer that of its other casters lies
 uniform mat4 rtwToLight[RTW_LIGHTS];   // from view coordinates to (l · w, depth · w, w)
 uniform vec4 rtwCone[RTW_LIGHTS];      // a spot's: centre, tangent; tangent 0 for a directional light
-uniform vec3 rtwTolerance[RTW_LIGHTS]; // of depth: of its format; of a length over w²; of the constant bias over w²
+uniform vec4 rtwTolerance[RTW_LIGHTS]; // of depth: of its format; of a length over w²; of the constant bias over w²; of l over w
 
 const float RTW_NOT_LIT = -1.0; // averted or out of reach: VTK's lighting knows that already
 
@@ -76,12 +76,14 @@ float rtwVisibility(int light, vec4 l, vec3 dx, vec3 dy)
   {
     // Differences on one plane give its gradient whatever their length.
     vec2 gradient = vec2(dx.z * dy.y - dy.z * dx.y, dx.x * dy.z - dy.x * dx.z) / (area * focus.yw);
-    vec3 t = rtwTolerance[light];
+    vec4 t = rtwTolerance[light];
     // A length in units of depth shrinks with the square of the distance to a spot; w is 1 elsewhere.
 #if RTW_DEPTH_TEST == 2
     float tolerance = t.z / (l.w * l.w);
 #else
-    float tolerance = t.x + t.y / (l.w * l.w) + 1e-6 * (abs(gradient.x) + abs(gradient.y));
+    // A rounded position is off sideways too: by as much more as it is nearer to the plane of a spot and farther from its axis.
+    vec2 aside = 1e-6 + t.w / l.w * (1.0 + distance(l.xy, cone.xy)) * focus.yw;
+    float tolerance = t.x + t.y / (l.w * l.w) + dot(abs(gradient), aside);
 #endif
     visibility = rtwFiltered(layer, q, gradient, tolerance);
 #if RTW_OTHER_LAYERS

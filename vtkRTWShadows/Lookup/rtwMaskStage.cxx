@@ -60,8 +60,9 @@ void MaskStage::Render(const ReceiverLights& lights, int otherLayers, const View
     this->Drawing.SetMatrix("rtwToLight", lights.ToLight.data() + 16 * light);
     const float* cone = lights.Cone.data() + 4 * light;
     glUniform4f(this->Drawing.Location("rtwCone"), cone[0], cone[1], cone[2], cone[3]);
-    const float* tolerance = lights.Tolerance.data() + 3 * light;
-    this->Drawing.Set("rtwTolerance", tolerance[0], tolerance[1], tolerance[2]);
+    const float* tolerance = lights.Tolerance.data() + 4 * light;
+    glUniform4f(this->Drawing.Location("rtwTolerance"), tolerance[0], tolerance[1], tolerance[2],
+      tolerance[3]);
     this->Triangle.Draw();
   }
   layers.GetDepths().Unbind(DepthUnit);

@@ -223,7 +223,8 @@ ReceiverLights ReceiverLights::Make(
       { float(frame.ConeCentre.x), float(frame.ConeCentre.y), float(frame.ConeTangent), 0.f });
     const double depthOfLength = frame.DepthOfLength();
     lights.Tolerance.insert(lights.Tolerance.end(),
-      { 4e-7f, float(2e-6 * size * depthOfLength), float(bias * size * depthOfLength) });
+      { 4e-7f, float(2e-6 * size * depthOfLength), float(bias * size * depthOfLength),
+        frame.Light.Kind == LightKind::Spot ? float(2.5e-7 * size) : 0.f });
     lights.Attenuation.push_back(float(frame.Light.Attenuation));
   }
   return lights;
@@ -268,8 +269,8 @@ void ReceiverUniforms::Set(vtkShaderProgram* program) const
       "rtwToLight", n, const_cast<float*>(this->Lights.ToLight.data()));
     program->SetUniform4fv(
       "rtwCone", n, reinterpret_cast<const float(*)[4]>(this->Lights.Cone.data()));
-    program->SetUniform3fv("rtwTolerance", n,
-      reinterpret_cast<const float(*)[3]>(this->Lights.Tolerance.data()));
+    program->SetUniform4fv("rtwTolerance", n,
+      reinterpret_cast<const float(*)[4]>(this->Lights.Tolerance.data()));
   }
 }
 }
