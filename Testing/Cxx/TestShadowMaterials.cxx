@@ -317,6 +317,9 @@ void TestRepresentations()
   vtkLight* sun = stage.AddSun(3, 5, 2);
   stage.Render();
   const rtw::Truth solid = stage.Trace(sun);
+  ball->VisibilityOff();
+  const rtw::Truth empty = stage.Trace(sun);
+  ball->VisibilityOn();
   for (const int representation : { VTK_WIREFRAME, VTK_POINTS })
   {
     ball->GetProperty()->SetRepresentation(representation);
@@ -329,9 +332,10 @@ void TestRepresentations()
     size_t dark = 0, outside = 0, whole = 0;
     for (size_t i = 0; i < mask.size(); ++i)
     {
-      whole += solid.Mask[i] == rtw::MASK_SHADOW;
-      dark += mask[i] < 128;
-      outside += mask[i] < 128 && solid.Mask[i] == rtw::MASK_LIT;
+      const bool onFloor = solid.Depth[i] == empty.Depth[i];
+      whole += onFloor && solid.Mask[i] == rtw::MASK_SHADOW;
+      dark += onFloor && mask[i] < 128;
+      outside += onFloor && mask[i] < 128 && solid.Mask[i] == rtw::MASK_LIT;
     }
     std::cout << ball->GetProperty()->GetRepresentationAsString() << ": " << dark << " dark of "
               << whole << ", " << outside << " outside" << std::endl;
