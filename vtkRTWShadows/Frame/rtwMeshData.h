@@ -19,7 +19,7 @@ namespace rtw
 struct MeshCluster
 {
   static constexpr int SizeClasses = 8;
-  static constexpr std::size_t MaximumTriangles = 1024;
+  static constexpr std::size_t MaximumTriangles = 256;
 
   glm::vec3 Low{ 0 }; ///< bounds, relative to the mesh's centre
   glm::vec3 High{ 0 };
