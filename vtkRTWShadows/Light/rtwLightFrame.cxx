@@ -33,7 +33,11 @@ void FitDirectional(LightFrame& frame, const ExtentFunction& extent, const glm::
     low[k] = along.x;
     high[k] = along.y;
   }
-  const double side = std::max({ high.x - low.x, high.y - low.y, 1e-30 }) * 1.0001;
+  // A scene without extent still gets a square that a double can tell from a point.
+  const double magnitude = std::max({ std::abs(low.x), std::abs(low.y), std::abs(high.x),
+    std::abs(high.y) });
+  const double side =
+    std::max({ high.x - low.x, high.y - low.y, 1e-9 * magnitude, 1e-30 }) * 1.0001;
   const glm::dvec2 middle = 0.5 * glm::dvec2(low + high);
   frame.Bounds = { middle - 0.5 * side, middle + 0.5 * side };
   const double margin = 1e-3 * std::max(side, high.z - low.z);
