@@ -95,7 +95,6 @@ void Texture::ReadFloats(int layer, float* values) const
   const std::size_t perLayer =
     static_cast<std::size_t>(this->Width) * this->Height * info.Components;
   glBindTexture(this->Target(), this->Id);
-  glPixelStorei(GL_PACK_ALIGNMENT, 4);
   if (this->Layers == 0)
   {
     glGetTexImage(GL_TEXTURE_2D, 0, info.External, GL_FLOAT, values);

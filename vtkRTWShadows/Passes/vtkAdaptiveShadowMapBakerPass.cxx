@@ -35,8 +35,12 @@ void vtkAdaptiveShadowMapBakerPass::Render(const vtkRenderState* s)
   this->HasShadows = false;
   if (!this->ShadowMapPass)
   {
-    vtkWarningMacro("has no vtkAdaptiveShadowMapPass and bakes nothing; use the baker that "
-                    "GetShadowMapBakerPass() of that pass gives");
+    if (!this->Warned)
+    {
+      this->Warned = true;
+      vtkWarningMacro("has no vtkAdaptiveShadowMapPass and bakes nothing; use the baker that "
+                      "GetShadowMapBakerPass() of that pass gives");
+    }
     return;
   }
   this->ShadowMapPass->Bake(s);

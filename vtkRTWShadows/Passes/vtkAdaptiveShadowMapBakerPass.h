@@ -40,6 +40,7 @@ private:
 
   friend class vtkAdaptiveShadowMapPass;
   vtkWeakPointer<vtkAdaptiveShadowMapPass> ShadowMapPass;
+  bool Warned = false;
 };
 
 #endif

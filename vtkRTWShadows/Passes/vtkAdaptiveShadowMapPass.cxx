@@ -106,7 +106,8 @@ void vtkAdaptiveShadowMapPass::Bake(const vtkRenderState* s)
   this->WarnOnce();
 
   my.Options.Resolution = my.Pipeline.ClampResolution(this->GetResolution());
-  if (my.Options.Resolution < static_cast<int>(this->GetResolution()) && !my.WarnedOfResolution)
+  if (static_cast<unsigned int>(my.Options.Resolution) < this->GetResolution() &&
+    !my.WarnedOfResolution)
   {
     my.WarnedOfResolution = true;
     vtkWarningMacro("Resolution " << this->GetResolution() << " is more than this GPU's largest texture; using "

@@ -62,7 +62,7 @@ public:
   ///@{
   /**
    * The least importance of a cell, as a share of the mean, so that nothing starves that the samples missed. Clamped
-   * to 0.0001 to 1; 1 is no warp at all. Default: 0.01.
+   * to 0.0001 to 1; at 1 no cell gets less than half of what it would get without a warp. Default: 0.01.
    */
   virtual void SetImportanceFloor(double share);
   vtkGetMacro(ImportanceFloor, double);
