@@ -3,7 +3,6 @@
 
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkMapper.h"
-#include "vtkPolygon.h"
 #include "vtkVersionMacros.h"
 
 #if VTK_MAJOR_VERSION > 9 || (VTK_MAJOR_VERSION == 9 && VTK_MINOR_VERSION >= 3)
@@ -46,14 +45,5 @@ bool IsMeshMapper(vtkMapper* mapper)
 {
   return IsOneOf(mapper,
     { "vtkOpenGLPolyDataMapper", "vtkOpenGLPolyDataMapper2", "vtkOpenGLLowMemoryPolyDataMapper" });
-}
-
-bool TriangulatePolygon(vtkPolygon* polygon, vtkIdList* corners)
-{
-#if VTK_MAJOR_VERSION > 9 || (VTK_MAJOR_VERSION == 9 && VTK_MINOR_VERSION >= 4)
-  return polygon->TriangulateLocalIds(0, corners) != 0;
-#else
-  return polygon->Triangulate(corners) != 0;
-#endif
 }
 }

@@ -4,9 +4,7 @@
 #define rtwVTKCompatibility_h
 
 class vtkCompositeDataDisplayAttributes;
-class vtkIdList;
 class vtkMapper;
-class vtkPolygon;
 
 namespace rtw
 {
@@ -16,8 +14,6 @@ bool IsCompositeMeshMapper(vtkMapper* mapper);
 vtkCompositeDataDisplayAttributes* CompositeAttributesOf(vtkMapper* mapper);
 /// Whether a mapper draws one mesh, as it is; false for its subclasses, such as the imposters.
 bool IsMeshMapper(vtkMapper* mapper);
-/// The corners of a polygon's triangles, three by three, counted within the polygon; false where it has none.
-bool TriangulatePolygon(vtkPolygon* polygon, vtkIdList* corners);
 }
 
 #endif
