@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rtwMeshData.h"
 
-
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkPoints.h"
