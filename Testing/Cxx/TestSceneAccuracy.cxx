@@ -135,7 +135,7 @@ void TestCurvedMesh()
   std::cout << "dual " << dual.Percent(dual.Wrong()) << " %, receiver plane "
             << plane.Percent(plane.Wrong()) << " %" << std::endl;
   RTW_CHECK(3 * dual.Wrong() <= plane.Wrong());
-  // Of which half lies on the darker side, where neighbouring triangles nearly graze the light.
+  // What is measured is 0.146; 0.1 is the aim.
   TestFarFromEdges(stage, 0.16);
 }
 }
@@ -154,7 +154,7 @@ int TestSceneAccuracy(int, char*[])
         least += bilinear ? limit.Bilinear : limit.Nearest;
       }
     }
-    // The town's far leaves and fences are thinner than a pixel: what is left there are single pixels of those.
+    // The town measures 0.052; 0.05 is the aim there too. What is left are mostly specks on leaves and pickets.
     TestFarFromEdges(stage, each.Scene == std::string("town") ? 0.06 : 0.05);
   }
   RTW_CHECK(sum <= 1.1 * least + 0.05 * 24);
