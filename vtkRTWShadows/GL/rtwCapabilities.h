@@ -8,7 +8,7 @@ struct Capabilities
 {
   int Major = 0;
   int Minor = 0;
-  bool Compute = false;    ///< compute shaders, storage buffers and indirect draws: OpenGL 4.3
+  bool Compute = false;    ///< compute shaders, storage buffers (vertex shaders' too) and indirect draws: OpenGL 4.3
   bool DepthClamp = false; ///< OpenGL 3.2
   int MaximumTextureSize = 0;
   int MaximumLayers = 0;

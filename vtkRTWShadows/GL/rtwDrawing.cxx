@@ -53,6 +53,29 @@ void MeshArray::Release()
   this->Abandon();
 }
 
+void PulledVertices::DrawIndirect(
+  const Buffer& commands, std::size_t offset, int count, std::size_t stride)
+{
+  if (!this->Id)
+  {
+    glGenVertexArrays(1, &this->Id);
+  }
+  glBindVertexArray(this->Id);
+  commands.Bind(GL_DRAW_INDIRECT_BUFFER);
+  glMultiDrawArraysIndirect(GL_TRIANGLES, static_cast<const char*>(nullptr) + offset, count,
+    static_cast<GLsizei>(stride));
+  glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
+}
+
+void PulledVertices::Release()
+{
+  if (this->Id)
+  {
+    glDeleteVertexArrays(1, &this->Id);
+  }
+  this->Abandon();
+}
+
 void ScreenTriangle::Draw()
 {
   glDisable(GL_DEPTH_TEST);

@@ -45,6 +45,23 @@ private:
   unsigned int Id = 0;
 };
 
+/// Triangles whose vertices the shader reads from storage by itself.
+class PulledVertices
+{
+public:
+  PulledVertices() = default;
+  PulledVertices(const PulledVertices&) = delete;
+  PulledVertices& operator=(const PulledVertices&) = delete;
+
+  /// Commands of four numbers each: vertices, instances, first vertex, first instance.
+  void DrawIndirect(const Buffer& commands, std::size_t offset, int count, std::size_t stride);
+  void Release();
+  void Abandon() { this->Id = 0; }
+
+private:
+  unsigned int Id = 0;
+};
+
 /// A triangle without points that covers the viewport: rtwScreenVS.glsl makes them.
 class ScreenTriangle
 {

@@ -83,12 +83,6 @@ void Texture::Unbind(int unit) const
   glBindTexture(this->Target(), 0);
 }
 
-void Texture::BindImage(int unit) const
-{
-  glBindImageTexture(static_cast<GLuint>(unit), this->Id, 0, this->Layers > 0 ? GL_TRUE : GL_FALSE,
-    0, GL_READ_WRITE, Info(this->Kind).Internal);
-}
-
 void Texture::ReadFloats(int layer, float* values) const
 {
   const FormatInfo& info = Info(this->Kind);

@@ -29,7 +29,6 @@ public:
   /// Binds it to a texture unit, by its number.
   void Bind(int unit) const;
   void Unbind(int unit) const;
-  void BindImage(int unit) const;
   /// One layer (or all, where it is no array), row by row from the bottom, as floats.
   void ReadFloats(int layer, float* values) const;
   void Release();

@@ -4,6 +4,7 @@
 #include "rtwDrawing.h"
 #include "rtwFocusReduction.h"
 #include "rtwFocusWrite.h"
+#include "rtwWarpFocus.h"
 #include "rtwLightUniforms.h"
 #include "rtwLitSample.h"
 #include "rtwOpenGL.h"
@@ -42,7 +43,7 @@ bool FocusStage::Build()
 {
   return this->Reduction.Build(
            { { GL_COMPUTE_SHADER, { rtwViewSampleAccess, rtwLitSample, rtwFocusReduction } } }) &&
-    this->Writing.Build({ { GL_COMPUTE_SHADER, { rtwFocusWrite } } });
+    this->Writing.Build({ { GL_COMPUTE_SHADER, { rtwWarpFocus, rtwFocusWrite } } });
 }
 
 const std::string& FocusStage::GetLog() const
@@ -80,12 +81,12 @@ void FocusStage::Reduce(const std::vector<LightFrame>& frames, const std::vector
     Dispatch(Groups(samples.GetWidth() / stride, Tile), Groups(samples.GetHeight() / stride, Tile));
   }
   this->Writing.Use();
-  table.GetTexture().BindImage(0);
+  table.Bind(this->Writing);
+  table.GetValues().BindStorage(1);
   for (std::size_t layer = 0; layer < frames.size(); ++layer)
   {
     SetWholeBounds(this->Writing, frames[layer]);
     this->Writing.Set("rtwLayer", static_cast<int>(layer));
-    this->Writing.Set("rtwCells", table.GetCells());
     this->Writing.Set("rtwMargin", Margin);
     Dispatch(1);
   }

@@ -4,9 +4,11 @@ layout(std430, binding = 0) buffer Bounds
 {
   uint rtwBounds[];
 };
-layout(rg32f, binding = 0) writeonly uniform image2D rtwTable;
+layout(std430, binding = 1) writeonly buffer Table
+{
+  vec2 rtwTable[];
+};
 uniform int rtwLayer;
-uniform int rtwCells;
 uniform vec4 rtwWholeBounds;
 uniform float rtwMargin; // a share of the extent
 
@@ -24,6 +26,6 @@ void main()
   vec2 margin = rtwMargin * (bounds.zw - bounds.xy) + 1e-6 * (rtwWholeBounds.zw - rtwWholeBounds.xy);
   vec2 low = bounds.xy - margin;
   vec2 scale = 1.0 / (bounds.zw + margin - low);
-  imageStore(rtwTable, ivec2(rtwCells, 4 * rtwLayer), vec4(low.x, scale.x, 0.0, 0.0));
-  imageStore(rtwTable, ivec2(rtwCells, 4 * rtwLayer + 1), vec4(low.y, scale.y, 0.0, 0.0));
+  rtwTable[rtwWarpPlace(4 * rtwLayer, rtwWarpSize.x)] = vec2(low.x, scale.x);
+  rtwTable[rtwWarpPlace(4 * rtwLayer + 1, rtwWarpSize.x)] = vec2(low.y, scale.y);
 }

@@ -1,8 +1,8 @@
-flat in vec3 edges[3];
-flat in vec3 anchor;
-flat in vec2 slope;
+// Whether a texel's centre lies in the triangle, and its depth there, both on the light plane, where edges are straight.
+flat in vec3 edges[3];   // signed distance from each at (q - anchor, 1)
+flat in vec3 anchor;     // a corner: q and depth
+flat in vec2 slope;      // of depth from there
 flat in vec2 depthRange;
-flat in int bent;
 layout(location = 0) out vec2 gradient;
 uniform int rtwLayer;
 const float STEEPEST = 60000.0;
@@ -11,7 +11,7 @@ const float ROUNDING = 3e-7; // of the focus; a point on a shared edge belongs t
 void main()
 {
   vec3 q = vec3(rtwTexelCentres(rtwLayer, ivec2(gl_FragCoord.xy)).xz - anchor.xy, 1.0);
-  if (bent != 0 && (dot(edges[0], q) < -ROUNDING || dot(edges[1], q) < -ROUNDING || dot(edges[2], q) < -ROUNDING))
+  if (min(min(dot(edges[0], q), dot(edges[1], q)), dot(edges[2], q)) < -ROUNDING)
   {
     discard;
   }

@@ -2,15 +2,22 @@
 #include "rtwCasterDrawing.h"
 
 #include "rtwBentCasterFS.h"
-#include "rtwBentCasterGS.h"
 #include "rtwBentCasterVS.h"
-#include "rtwCasterFS.h"
-#include "rtwCasterVS.h"
+#include "rtwCasterRecords.h"
+#include "rtwCasterTriangle.h"
+#include "rtwCasterWork.h"
 #include "rtwClusterDraw.h"
+#include "rtwCoverCasters.h"
 #include "rtwCullCasters.h"
+#include "rtwCullTriangles.h"
 #include "rtwFocusMatrices.h"
 #include "rtwGeometryStore.h"
 #include "rtwOpenGL.h"
+#include "rtwSetUpCasters.h"
+#include "rtwStraightCasterFS.h"
+#include "rtwStraightCasterVS.h"
+#include "rtwThinCasterFS.h"
+#include "rtwThinCasterVS.h"
 #include "rtwWarpFocus.h"
 #include "rtwWarpTable.h"
 
@@ -21,10 +28,29 @@ namespace rtw
 {
 namespace
 {
-// A quarter of a texel can be seen; half of that is for the gradients that are computed along.
+// Half of a quarter of a texel, which can be seen.
 constexpr float AllowedBendInTexels = 0.125f;
+// What is bent less than that is straight whatever its slope.
+constexpr float LeastBendInTexels = 0.005f;
 // Of the distance at which a spot's depths start: what is nearer is part of the lamp.
 constexpr double NearestWShare = 0.01;
+
+// Clusters whose triangles are set up at a time; it bounds the memory that takes.
+constexpr int BatchSize = 128;
+constexpr std::size_t MostTriangles = MeshCluster::MaximumTriangles;
+constexpr std::size_t MostCovers = 3072; // a cluster
+// What the shaders keep of a cluster, by the rules of std430.
+constexpr std::size_t WorkBytes = 64 + 4 * MostTriangles;
+constexpr std::size_t StraightBytes = 48 * MostTriangles;
+constexpr std::size_t BentBytes = 64 * MostTriangles;
+constexpr std::size_t CoverBytes = 32 * MostCovers;
+constexpr std::size_t BentDrawOffset = 16; // in a cluster's work
+
+std::string Limits()
+{
+  return "const uint MOST_TRIANGLES = " + std::to_string(MostTriangles) +
+    "u;\nconst uint MOST_COVERS = " + std::to_string(MostCovers) + "u;\n";
+}
 
 float NearestW(const LightFrame& frame)
 {
@@ -32,30 +58,60 @@ float NearestW(const LightFrame& frame)
 }
 }
 
+std::array<Program*, 7> CasterDrawing::Programs()
+{
+  return { &this->Focusing, &this->Culling, &this->CullingTriangles, &this->SettingUp,
+    &this->Straight, &this->Bent, &this->Thin };
+}
+
+std::array<Buffer*, 7> CasterDrawing::Buffers()
+{
+  return { &this->LightMatrices, &this->Matrices, &this->Work, &this->StraightCasters,
+    &this->BentCasters, &this->Covers, &this->Counts };
+}
+
 bool CasterDrawing::Build(const WarpShape& warp)
 {
   if (this->Warp != warp.Name)
   {
-    for (Program* program : { &this->Focusing, &this->Culling, &this->Plain, &this->Bent })
+    for (Program* program : this->Programs())
     {
       program->Release();
     }
     this->Warp = warp.Name;
   }
-  return this->Focusing.Build({ { GL_COMPUTE_SHADER, { rtwWarpFocus, rtwFocusMatrices } } }) &&
-    this->Culling.Build(
-      { { GL_COMPUTE_SHADER, { rtwWarpFocus, warp.Bend, rtwClusterDraw, rtwCullCasters } } }) &&
-    this->Plain.Build({ { GL_VERTEX_SHADER, { rtwWarpFocus, warp.Function, rtwCasterVS } },
-      { GL_FRAGMENT_SHADER, { rtwCasterFS } } }) &&
-    this->Bent.Build({ { GL_VERTEX_SHADER, { rtwBentCasterVS } },
-      { GL_GEOMETRY_SHADER, { rtwWarpFocus, warp.Function, warp.Bend, rtwBentCasterGS } },
-      { GL_FRAGMENT_SHADER, { rtwWarpFocus, warp.Function, rtwBentCasterFS } } });
+  const std::string limits = Limits();
+  const char* const stored = WarpTable::InStorage;
+  return this->Focusing.Build(
+           { { GL_COMPUTE_SHADER, { stored, rtwWarpFocus, rtwFocusMatrices } } }) &&
+    this->Culling.Build({ { GL_COMPUTE_SHADER,
+      { stored, rtwWarpFocus, warp.Bend, rtwClusterDraw, limits.c_str(), rtwCasterWork,
+        rtwCullCasters } } }) &&
+    this->CullingTriangles.Build({ { GL_COMPUTE_SHADER,
+      { stored, rtwWarpFocus, warp.Function, limits.c_str(), rtwCasterWork, rtwCasterTriangle,
+        rtwCullTriangles } } }) &&
+    this->SettingUp.Build({ { GL_COMPUTE_SHADER,
+      { stored, rtwWarpFocus, warp.Function, warp.Bend, limits.c_str(), rtwCasterWork,
+        rtwCasterTriangle, rtwCasterRecords, rtwCoverCasters, rtwSetUpCasters } } }) &&
+    this->Straight.Build({ { GL_VERTEX_SHADER, { rtwCasterRecords, rtwStraightCasterVS } },
+      { GL_FRAGMENT_SHADER, { rtwStraightCasterFS } } }) &&
+    this->Bent.Build({ { GL_VERTEX_SHADER, { rtwCasterRecords, rtwBentCasterVS } },
+      { GL_FRAGMENT_SHADER, { stored, rtwWarpFocus, warp.Function, rtwBentCasterFS } } }) &&
+    this->Thin.Build(
+      { { GL_VERTEX_SHADER, { stored, rtwWarpFocus, warp.Function, rtwThinCasterVS } },
+        { GL_FRAGMENT_SHADER, { rtwThinCasterFS } } });
 }
 
 std::string CasterDrawing::GetLog() const
 {
-  return this->Focusing.GetLog() + this->Culling.GetLog() + this->Plain.GetLog() +
-    this->Bent.GetLog();
+  return this->Focusing.GetLog() + this->Culling.GetLog() + this->CullingTriangles.GetLog() +
+    this->SettingUp.GetLog() + this->Straight.GetLog() + this->Bent.GetLog() + this->Thin.GetLog();
+}
+
+std::size_t CasterDrawing::GetMemory() const
+{
+  return this->LightMatrices.GetSize() + this->Matrices.GetSize() + this->Work.GetSize() +
+    this->StraightCasters.GetSize() + this->BentCasters.GetSize() + this->Covers.GetSize();
 }
 
 void CasterDrawing::StartLayer(int layer)
@@ -65,74 +121,109 @@ void CasterDrawing::StartLayer(int layer)
   this->Counts.Write(layer * sizeof(none), &none, sizeof(none));
 }
 
-void CasterDrawing::Focus(
-  const GeometryStore& store, const WarpTable& table, const LightFrame& frame, int layer)
+void CasterDrawing::Prepare(const Program& program, const Layer& layer) const
+{
+  program.Use();
+  layer.Table.Bind(program);
+  program.Set("rtwLayer", layer.Index);
+  program.Set("rtwNearestW", NearestW(layer.Frame));
+  program.Set("rtwAllowedBend", AllowedBendInTexels / float(layer.Table.GetResolution()));
+}
+
+void CasterDrawing::Focus(const Layer& layer)
 {
   std::vector<glm::mat4> matrices;
-  for (const Instance& instance : store.GetInstances())
+  for (const Instance& instance : layer.Store.GetInstances())
   {
-    matrices.emplace_back(frame.WorldToLight * instance.ToWorld);
+    matrices.emplace_back(layer.Frame.WorldToLight * instance.ToWorld);
   }
   this->LightMatrices.Assign(matrices);
   this->Matrices.Reserve(matrices.size() * sizeof(glm::mat4));
-  this->Focusing.Use();
-  table.Bind(this->Focusing);
+  this->Prepare(this->Focusing, layer);
   this->LightMatrices.BindStorage(0);
   this->Matrices.BindStorage(1);
   this->Focusing.Set("rtwNumberOfInstances", static_cast<int>(matrices.size()));
-  this->Focusing.Set("rtwLayer", layer);
   Dispatch(Groups(static_cast<int>(matrices.size()), 64));
 }
 
-void CasterDrawing::Cull(const GeometryStore& store, const WarpTable& table,
-  const LightFrame& frame, int layer, const CasterOptions& options)
+void CasterDrawing::Cull(const Layer& layer, int first, int end)
 {
-  const int draws = store.GetNumberOfDraws();
-  this->Focus(store, table, frame, layer);
-  this->BentCommands.Reserve(draws * sizeof(DrawCommand));
-  this->PlainCommands.Reserve(draws * sizeof(DrawCommand));
-  this->Culling.Use();
-  table.Bind(this->Culling);
-  store.GetClusters().BindStorage(0);
-  store.GetDraws().BindStorage(1);
+  this->Work.Reserve(WorkBytes * (end - first));
+  this->Prepare(this->Culling, layer);
+  layer.Store.GetClusters().BindStorage(0);
+  layer.Store.GetDraws().BindStorage(1);
   this->Matrices.BindStorage(2);
-  this->BentCommands.BindStorage(3);
-  this->PlainCommands.BindStorage(4);
+  this->Work.BindStorage(3);
   this->Counts.BindStorage(5);
-  this->Culling.Set("rtwNumberOfDraws", draws);
-  this->Culling.Set("rtwLayer", layer);
-  this->Culling.Set("rtwCull", options.Cull ? 1 : 0);
-  this->Culling.Set("rtwExact", options.Exact ? 1 : 0);
-  this->Culling.Set("rtwNearestW", NearestW(frame));
-  this->Culling.Set("rtwAllowedBend", AllowedBendInTexels / float(table.GetResolution()));
-  Dispatch(Groups(draws, 64));
+  this->Culling.Set("rtwFirstDraw", first);
+  this->Culling.Set("rtwEndDraw", end);
+  this->Culling.Set("rtwCull", layer.Options.Cull ? 1 : 0);
+  this->Culling.Set("rtwExact", layer.Options.Exact ? 1 : 0);
+  this->Culling.Set("rtwLeastBend", LeastBendInTexels / float(layer.Table.GetResolution()));
+  Dispatch(Groups(end - first, 64));
 }
 
-void CasterDrawing::Draw(
-  const GeometryStore& store, const WarpTable& table, const LightFrame& frame, int layer)
+void CasterDrawing::SetUp(const Layer& layer, int clusters)
+{
+  this->StraightCasters.Reserve(StraightBytes * clusters);
+  this->BentCasters.Reserve(BentBytes * clusters);
+  this->Covers.Reserve(CoverBytes * clusters);
+  layer.Store.GetPoints().BindStorage(0);
+  layer.Store.GetIndices().BindStorage(1);
+  this->Matrices.BindStorage(2);
+  this->Work.BindStorage(3);
+  this->StraightCasters.BindStorage(4);
+  this->BentCasters.BindStorage(5);
+  this->Covers.BindStorage(6);
+  for (const Program* program : { &this->CullingTriangles, &this->SettingUp })
+  {
+    this->Prepare(*program, layer);
+    Dispatch(clusters);
+  }
+}
+
+void CasterDrawing::DrawTriangles(const Layer& layer, int clusters)
+{
+  this->Prepare(this->Bent, layer);
+  this->Pulled.DrawIndirect(this->Work, BentDrawOffset, clusters, WorkBytes);
+  this->Straight.Use();
+  this->Pulled.DrawIndirect(this->Work, 0, clusters, WorkBytes);
+}
+
+void CasterDrawing::DrawThin(const Layer& layer)
+{
+  if (layer.Store.GetThinDraws().empty())
+  {
+    return;
+  }
+  this->Array.Bind(layer.Store.GetPoints(), layer.Store.GetIndices(), this->Matrices);
+  this->Prepare(this->Thin, layer);
+  for (const ThinDraw& draw : layer.Store.GetThinDraws())
+  {
+    if (layer.Store.GetInstances()[draw.Command.BaseInstance].Casts)
+    {
+      this->Array.Draw(draw.Kind, draw.Command);
+    }
+  }
+}
+
+void CasterDrawing::Draw(const GeometryStore& store, const WarpTable& table,
+  const LightFrame& frame, int index, const CasterOptions& options)
 {
   if (store.GetInstances().empty())
   {
     return;
   }
-  this->Array.Bind(store.GetPoints(), store.GetIndices(), this->Matrices);
-  this->Bent.Use();
-  table.Bind(this->Bent);
-  this->Bent.Set("rtwLayer", layer);
-  this->Bent.Set("rtwNearestW", NearestW(frame));
-  this->Bent.Set("rtwAllowedBend", AllowedBendInTexels / float(table.GetResolution()));
-  this->Array.DrawIndirect(this->BentCommands, store.GetNumberOfDraws());
-  this->Plain.Use();
-  table.Bind(this->Plain);
-  this->Plain.Set("rtwLayer", layer);
-  this->Array.DrawIndirect(this->PlainCommands, store.GetNumberOfDraws());
-  for (const ThinDraw& draw : store.GetThinDraws())
+  const Layer layer{ store, table, frame, index, options };
+  this->Focus(layer);
+  for (int first = 0; first < store.GetNumberOfDraws(); first += BatchSize)
   {
-    if (store.GetInstances()[draw.Command.BaseInstance].Casts)
-    {
-      this->Array.Draw(draw.Kind, draw.Command);
-    }
+    const int end = std::min(first + BatchSize, store.GetNumberOfDraws());
+    this->Cull(layer, first, end);
+    this->SetUp(layer, end - first);
+    this->DrawTriangles(layer, end - first);
   }
+  this->DrawThin(layer);
 }
 
 CasterCounts CasterDrawing::ReadCounts(int layer) const
@@ -147,29 +238,29 @@ CasterCounts CasterDrawing::ReadCounts(int layer) const
 
 void CasterDrawing::Release()
 {
-  for (Program* program : { &this->Focusing, &this->Culling, &this->Plain, &this->Bent })
+  for (Program* program : this->Programs())
   {
     program->Release();
   }
-  for (Buffer* buffer : { &this->LightMatrices, &this->Matrices, &this->BentCommands,
-         &this->PlainCommands, &this->Counts })
+  for (Buffer* buffer : this->Buffers())
   {
     buffer->Release();
   }
   this->Array.Release();
+  this->Pulled.Release();
 }
 
 void CasterDrawing::Abandon()
 {
-  for (Program* program : { &this->Focusing, &this->Culling, &this->Plain, &this->Bent })
+  for (Program* program : this->Programs())
   {
     program->Abandon();
   }
-  for (Buffer* buffer : { &this->LightMatrices, &this->Matrices, &this->BentCommands,
-         &this->PlainCommands, &this->Counts })
+  for (Buffer* buffer : this->Buffers())
   {
     buffer->Abandon();
   }
   this->Array.Abandon();
+  this->Pulled.Abandon();
 }
 }

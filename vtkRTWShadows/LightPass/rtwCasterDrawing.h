@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The light pass over the meshes of the geometry store: casters culled for each layer, then drawn into it, depth and gradient only.
+// The light pass over the meshes of the geometry store: for each layer clusters are culled, then
+// the triangles of those that are left are set up, and drawn, depth and gradient only.
 #ifndef rtwCasterDrawing_h
 #define rtwCasterDrawing_h
 
@@ -9,6 +10,8 @@
 #include "rtwProgram.h"
 #include "rtwWarpStage.h"
 
+#include <array>
+#include <cstddef>
 #include <string>
 
 namespace rtw
@@ -24,7 +27,7 @@ struct CasterOptions
 
 struct CasterCounts
 {
-  unsigned int Drawn = 0;  ///< clusters of triangles
+  unsigned int Drawn = 0; ///< clusters of triangles
   unsigned int Culled = 0;
 };
 
@@ -36,22 +39,38 @@ public:
   std::string GetLog() const;
   /// Forgets what it counted of a layer.
   void StartLayer(int layer);
-  /// Decides what of the store a layer needs.
-  void Cull(const GeometryStore& store, const WarpTable& table, const LightFrame& frame, int layer,
+  /// Draws what a layer needs of the store into the target that is bound.
+  void Draw(const GeometryStore& store, const WarpTable& table, const LightFrame& frame, int layer,
     const CasterOptions& options);
-  /// Draws it into the target that is bound.
-  void Draw(const GeometryStore& store, const WarpTable& table, const LightFrame& frame, int layer);
   /// Of a layer in the last frame. Waits for the GPU.
   CasterCounts ReadCounts(int layer) const;
+  std::size_t GetMemory() const;
   void Release();
   void Abandon();
 
 private:
-  void Focus(const GeometryStore& store, const WarpTable& table, const LightFrame& frame, int layer);
+  struct Layer
+  {
+    const GeometryStore& Store;
+    const WarpTable& Table;
+    const LightFrame& Frame;
+    int Index;
+    CasterOptions Options;
+  };
+
+  std::array<Program*, 7> Programs();
+  std::array<Buffer*, 7> Buffers();
+  void Prepare(const Program& program, const Layer& layer) const;
+  void Focus(const Layer& layer);
+  void Cull(const Layer& layer, int first, int end);
+  void SetUp(const Layer& layer, int clusters);
+  void DrawTriangles(const Layer& layer, int clusters);
+  void DrawThin(const Layer& layer);
 
   std::string Warp;
-  Program Focusing, Culling, Plain, Bent;
-  Buffer LightMatrices, Matrices, BentCommands, PlainCommands, Counts;
+  Program Focusing, Culling, CullingTriangles, SettingUp, Straight, Bent, Thin;
+  Buffer LightMatrices, Matrices, Work, StraightCasters, BentCasters, Covers, Counts;
+  PulledVertices Pulled;
   MeshArray Array;
 };
 }

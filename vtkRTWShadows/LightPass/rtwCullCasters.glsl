@@ -1,23 +1,16 @@
 // Which clusters can cast a shadow into a layer, and how many triangles at the start of each, the largest, the warp may bend.
 layout(local_size_x = 64) in;
-layout(std430, binding = 3) writeonly buffer BentCommands
-{
-  DrawCommand rtwBentCommands[];
-};
-layout(std430, binding = 4) writeonly buffer PlainCommands
-{
-  DrawCommand rtwPlainCommands[];
-};
 layout(std430, binding = 5) buffer Counts
 {
   uint rtwCounts[]; // a layer: clusters drawn, clusters culled
 };
-uniform int rtwNumberOfDraws;
+uniform int rtwFirstDraw;
+uniform int rtwEndDraw;
 uniform int rtwLayer;
 uniform int rtwCull;           // whether to leave out what shadows nothing in view
 uniform int rtwExact;          // whether bent triangles are treated apart
 uniform float rtwNearestW;     // what is nearer to a spot casts no shadow
-uniform float rtwAllowedBend;  // of the map's side
+uniform float rtwLeastBend;    // of the map's side: below it bends don't matter
 
 struct Extent
 {
@@ -67,7 +60,7 @@ uint rtwBentIndices(Cluster cluster, mat4 m, Extent e)
     vec2 piece = min(rtwLargestOnLight(m, e, extent), e.high - e.low);
     float bend = max(rtwBendOfPieces(rtwLayer, 0, e.low.x, e.high.x, piece.x),
       rtwBendOfPieces(rtwLayer, 1, e.low.y, e.high.y, piece.y));
-    if (bend <= rtwAllowedBend)
+    if (bend <= rtwLeastBend)
     {
       break;
     }
@@ -79,12 +72,12 @@ uint rtwBentIndices(Cluster cluster, mat4 m, Extent e)
 
 void main()
 {
-  int i = int(gl_GlobalInvocationID.x);
-  if (i >= rtwNumberOfDraws)
+  uint i = gl_GlobalInvocationID.x;
+  if (rtwFirstDraw + int(i) >= rtwEndDraw)
   {
     return;
   }
-  ClusterDraw draw = rtwDraws[i];
+  ClusterDraw draw = rtwDraws[rtwFirstDraw + int(i)];
   Cluster cluster = rtwClusters[draw.cluster];
   mat4 m = rtwMatrices[draw.instance];
   Extent e = rtwExtentOf(cluster, m);
@@ -92,10 +85,17 @@ void main()
   bool reaches = e.mostW >= rtwNearestW &&
     (crosses || (all(lessThanEqual(e.low, vec2(1.0))) && all(greaterThanEqual(e.high, vec2(0.0))) && e.nearest <= 1.0));
   bool casts = (draw.flags & CASTS) != 0u && (reaches || rtwCull == 0);
-  uint all = casts ? cluster.classEnd[SIZE_CLASSES - 1] : 0u;
-  uint bent = !casts ? 0u : crosses ? all : rtwExact == 0 ? 0u : rtwBentIndices(cluster, m, e);
-  rtwBentCommands[i] = rtwCommand(cluster, 0u, bent, draw.instance);
-  rtwPlainCommands[i] = rtwCommand(cluster, bent, all, draw.instance);
+  uint end = casts ? cluster.classEnd[SIZE_CLASSES - 1] : 0u;
+  uint bent = !casts ? 0u : crosses ? end : rtwExact == 0 ? 0u : rtwBentIndices(cluster, m, e);
+  rtwWork[i].straightDraw = uint[4](0u, 1u, 3u * MOST_TRIANGLES * i, 0u);
+  rtwWork[i].bentDraw = uint[4](0u, 1u, 6u * MOST_COVERS * i, 0u);
+  rtwWork[i].firstIndex = cluster.firstIndex;
+  rtwWork[i].baseVertex = cluster.baseVertex;
+  rtwWork[i].instance = draw.instance;
+  rtwWork[i].bentEnd = bent;
+  rtwWork[i].end = end;
+  rtwWork[i].slices = 0u;
+  rtwWork[i].numberOfCasters = 0u;
   if ((draw.flags & CASTS) != 0u)
   {
     atomicAdd(rtwCounts[2 * rtwLayer + (casts ? 0 : 1)], 1u);

@@ -38,7 +38,7 @@ vtkSmartPointer<vtkImageData> ReadShadowMap(const DenseLayers& layers, int layer
 vtkSmartPointer<vtkImageData> ReadWarp(const WarpTable& table, int layer)
 {
   const std::vector<float> all = table.Read();
-  const std::size_t row = 2 * std::size_t(table.GetTexture().GetWidth());
+  const std::size_t row = 2 * std::size_t(table.GetRowLength());
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(table.GetCells() + 1, 2, 1);
   image->AllocateScalars(VTK_FLOAT, 1);

@@ -240,7 +240,8 @@ void ShadowPipeline::Draw(const FrameScene& scene, const std::vector<ShadowLight
     this->DrawMask(options);
   }
   this->Counted.ShadowMemory = static_cast<std::int64_t>(this->Layers.GetMemory() +
-    this->Table.GetMemory() + this->Sampler.GetMemory() + this->Masking.GetMask().GetMemory());
+    this->Table.GetMemory() + this->Sampler.GetMemory() + this->Masking.GetMask().GetMemory() +
+    this->Casters.GetMemory());
 }
 
 void ShadowPipeline::PrimeDepth(const FrameScene& scene, const PipelineOptions& options)
@@ -294,12 +295,6 @@ void ShadowPipeline::DrawLayer(StateGuard& guard, int layer, const FrameScene& s
   const PipelineOptions& options, const MapperDrawing& mappers)
 {
   const LightFrame& frame = this->Frames[layer];
-  if (this->OwnDrawing)
-  {
-    StageTimers::Scope timer(this->Timers, "culling");
-    this->Casters.StartLayer(layer);
-    this->Casters.Cull(this->Store, this->Table, frame, layer, options.Casters);
-  }
   StageTimers::Scope timer(this->Timers, "light pass");
   StateGuard::PrepareDepthDrawing(this->Can.DepthClamp);
   if (!this->Layers.BindTarget(layer))
@@ -308,7 +303,8 @@ void ShadowPipeline::DrawLayer(StateGuard& guard, int layer, const FrameScene& s
   }
   if (this->OwnDrawing)
   {
-    this->Casters.Draw(this->Store, this->Table, frame, layer);
+    this->Casters.StartLayer(layer);
+    this->Casters.Draw(this->Store, this->Table, frame, layer, options.Casters);
   }
   const int others = layer + this->OtherLayers;
   if (std::any_of(scene.Props.begin(), scene.Props.end(),
@@ -336,7 +332,7 @@ ReceiverUniforms ShadowPipeline::MakeUniforms(const PipelineOptions& options) co
 
 void ShadowPipeline::BindTextures(const ReceiverUniforms& units, bool maps) const
 {
-  this->Table.GetTexture().Bind(units.WarpUnit);
+  this->Table.GetValues().Bind(units.WarpUnit);
   if (maps)
   {
     this->Layers.GetDepths().Bind(units.DepthUnit);
@@ -347,7 +343,7 @@ void ShadowPipeline::BindTextures(const ReceiverUniforms& units, bool maps) cons
 
 void ShadowPipeline::UnbindTextures(const ReceiverUniforms& units) const
 {
-  this->Table.GetTexture().Unbind(units.WarpUnit);
+  this->Table.GetValues().Unbind(units.WarpUnit);
   this->Layers.GetDepths().Unbind(units.DepthUnit);
   this->Layers.GetGradients().Unbind(units.GradientUnit);
   this->Masking.GetMask().Unbind(units.MaskUnit);
@@ -366,7 +362,7 @@ glm::dvec2 ShadowPipeline::ReadMaximumEffectiveResolution(int layer) const
     return glm::dvec2(0);
   }
   const std::vector<float> table = this->Table.Read();
-  const std::size_t row = 2 * std::size_t(this->Table.GetTexture().GetWidth());
+  const std::size_t row = 2 * std::size_t(this->Table.GetRowLength());
   const std::size_t scale = WarpTable::RowsPerLayer * layer * row + 2 * this->Table.GetCells() + 1;
   const Rectangle& whole = this->Frames[layer].Bounds;
   const glm::dvec2 share = (whole.High - whole.Low) * glm::dvec2(table[scale], table[scale + row]);

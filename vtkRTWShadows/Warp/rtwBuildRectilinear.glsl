@@ -13,8 +13,14 @@ layout(std430, binding = 1) buffer Report
 {
   float rtwReport[]; // a layer, an axis: the greatest slope, and the focus' extent
 };
-layout(rg32f, binding = 0) writeonly uniform image2D rtwTable;
-layout(rgba32f, binding = 1) uniform image2D rtwBends;
+layout(std430, binding = 2) writeonly buffer Table
+{
+  vec2 rtwTable[];
+};
+layout(std430, binding = 3) buffer Bends
+{
+  vec4 rtwBends[]; // least slope, greatest slope, greatest step
+};
 uniform int rtwSquareRoot;
 uniform float rtwSigma; // in cells
 uniform float rtwFloor; // a share of the mean
@@ -140,7 +146,7 @@ void writeInverse(int cells, int row)
       }
       centres[k] = (float(low) + (target - rtwSums[low]) / (rtwSums[low + 1] - rtwSums[low])) / float(cells);
     }
-    imageStore(rtwTable, ivec2(texel, row), vec4(centres, 0.0, 0.0));
+    rtwTable[rtwWarpPlace(row, texel)] = centres;
   }
 }
 
@@ -152,18 +158,18 @@ void writeSlopes(int cells)
     float slope = (rtwSums[i + 1] - rtwSums[i]) * float(cells);
     int next = min(i + 1, cells - 1);
     float nextSlope = (rtwSums[next + 1] - rtwSums[next]) * float(cells);
-    imageStore(rtwBends, ivec2(i, row), vec4(slope, slope, abs(nextSlope - slope), 0.0));
+    rtwBends[row * cells + i] = vec4(slope, slope, abs(nextSlope - slope), 0.0);
   }
   for (int level = 1; level < rtwLevels; ++level)
   {
-    memoryBarrierImage();
+    memoryBarrierBuffer();
     barrier();
     int span = 1 << (level - 1);
     for (int i = me; i + 2 * span <= cells; i += GROUP)
     {
-      vec3 a = imageLoad(rtwBends, ivec2(i, row + level - 1)).xyz;
-      vec3 b = imageLoad(rtwBends, ivec2(i + span, row + level - 1)).xyz;
-      imageStore(rtwBends, ivec2(i, row + level), vec4(min(a.x, b.x), max(a.yz, b.yz), 0.0));
+      vec3 a = rtwBends[(row + level - 1) * cells + i].xyz;
+      vec3 b = rtwBends[(row + level - 1) * cells + i + span].xyz;
+      rtwBends[(row + level) * cells + i] = vec4(min(a.x, b.x), max(a.yz, b.yz), 0.0);
     }
   }
 }
@@ -176,7 +182,7 @@ void main()
   sumUp(cells);
   for (int i = me; i < cells; i += GROUP)
   {
-    imageStore(rtwTable, ivec2(i, 4 * layer + axis), vec4(rtwSums[i], rtwSums[i + 1], 0.0, 0.0));
+    rtwTable[rtwWarpPlace(4 * layer + axis, i)] = vec2(rtwSums[i], rtwSums[i + 1]);
   }
   writeInverse(cells, 4 * layer + 2 + axis);
   writeSlopes(cells);

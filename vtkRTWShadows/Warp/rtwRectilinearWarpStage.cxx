@@ -45,8 +45,8 @@ void RectilinearWarpStage::Run(
   table.Bind(this->Building);
   this->Importance.GetProfile().BindStorage(0);
   this->Report.BindStorage(1);
-  table.GetTexture().BindImage(0);
-  table.GetBends().BindImage(1);
+  table.GetValues().BindStorage(2);
+  table.GetBends().BindStorage(3);
   this->Building.Set("rtwSquareRoot", settings.Functions & SqrtDemand ? 1 : 0);
   this->Building.Set("rtwSigma", static_cast<float>(settings.Sigma));
   this->Building.Set("rtwFloor", static_cast<float>(settings.Floor));

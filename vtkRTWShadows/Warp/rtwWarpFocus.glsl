@@ -2,13 +2,33 @@
 //
 // Rows of a layer: forward along s, forward along t, inverse along s, inverse along t. Behind the last cell of the first two
 // stands the focus along that axis: its low end, and one over its extent.
-uniform sampler2D rtwWarpTable;
+#ifdef RTW_TABLE_IN_STORAGE
+layout(std430, binding = 7) readonly buffer WarpTable
+{
+  vec2 rtwWarpTable[];
+};
+#else
+uniform samplerBuffer rtwWarpTable;
+#endif
 uniform ivec2 rtwWarpSize; // cells of a warping function, texels of the map
+
+int rtwWarpPlace(int row, int i)
+{
+  return row * max(rtwWarpSize.x + 1, rtwWarpSize.y) + i;
+}
+
+vec2 rtwWarpEntry(int row, int i)
+{
+#ifdef RTW_TABLE_IN_STORAGE
+  return rtwWarpTable[rtwWarpPlace(row, i)];
+#else
+  return texelFetch(rtwWarpTable, rtwWarpPlace(row, i)).rg;
+#endif
+}
 
 vec4 rtwFocus(int layer)
 {
-  return vec4(texelFetch(rtwWarpTable, ivec2(rtwWarpSize.x, 4 * layer), 0).rg,
-    texelFetch(rtwWarpTable, ivec2(rtwWarpSize.x, 4 * layer + 1), 0).rg);
+  return vec4(rtwWarpEntry(4 * layer, rtwWarpSize.x), rtwWarpEntry(4 * layer + 1, rtwWarpSize.x));
 }
 
 vec2 rtwFocused(vec4 focus, vec2 onLight)

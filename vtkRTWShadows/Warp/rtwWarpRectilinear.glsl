@@ -4,7 +4,7 @@ float rtwWarpAlong(int row, float x)
 {
   float f = x * float(rtwWarpSize.x);
   int cell = clamp(int(floor(f)), 0, rtwWarpSize.x - 1);
-  vec2 ends = texelFetch(rtwWarpTable, ivec2(cell, row), 0).rg;
+  vec2 ends = rtwWarpEntry(row, cell);
   return ends.x + (f - float(cell)) * (ends.y - ends.x);
 }
 
@@ -16,6 +16,6 @@ vec2 rtwWarp(int layer, vec2 q)
 // Where the centres of a texel and of the next along both axes lie: s, s of the next, t, t of the next.
 vec4 rtwTexelCentres(int layer, ivec2 texel)
 {
-  return vec4(texelFetch(rtwWarpTable, ivec2(texel.x, 4 * layer + 2), 0).rg,
-    texelFetch(rtwWarpTable, ivec2(texel.y, 4 * layer + 3), 0).rg);
+  return vec4(rtwWarpEntry(4 * layer + 2, texel.x),
+    rtwWarpEntry(4 * layer + 3, texel.y));
 }

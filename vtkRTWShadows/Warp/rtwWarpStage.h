@@ -21,7 +21,7 @@ struct WarpShape
 {
   const char* Name;     ///< tells shader code for one warp from that for another
   const char* Function; ///< defines rtwWarp and rtwTexelCentres
-  const char* Bend;     ///< defines rtwBend and rtwBendOfPieces
+  const char* Bend;     ///< defines rtwBend, rtwShift and rtwBendOfPieces
 };
 
 class WarpStage

@@ -17,21 +17,29 @@ void WarpTable::Allocate(int cells, int resolution, int layers)
   {
     ++this->BendLevels;
   }
-  this->Table.Allocate(Format::Float2, std::max(cells + 1, resolution), RowsPerLayer * layers);
-  this->Bends.Allocate(Format::Float4, cells, 2 * layers * this->BendLevels);
+  this->Rows = RowsPerLayer * layers;
+  this->Table.Allocate(2, std::size_t(this->Rows) * this->GetRowLength());
+  this->Bends.Allocate(4, std::size_t(cells) * 2 * layers * this->BendLevels);
+}
+
+int WarpTable::GetRowLength() const
+{
+  return std::max(this->Cells + 1, this->Resolution); // rtwWarpFocus.glsl has it too
+}
+
+void WarpTable::WriteRow(int row, int first, const std::vector<float>& values)
+{
+  this->Table.Write(
+    std::size_t(row) * this->GetRowLength() + first, values.data(), values.size() / 2);
 }
 
 void WarpTable::WriteFocus(int layer, const Rectangle& focus)
 {
-  glBindTexture(GL_TEXTURE_2D, this->Table.GetId());
   for (int axis = 0; axis < 2; ++axis)
   {
-    const float values[] = { float(focus.Low[axis]),
-      float(1 / std::max(focus.High[axis] - focus.Low[axis], 1e-30)) };
-    glTexSubImage2D(GL_TEXTURE_2D, 0, this->Cells, RowsPerLayer * layer + axis, 1, 1, GL_RG,
-      GL_FLOAT, values);
+    this->WriteRow(RowsPerLayer * layer + axis, this->Cells,
+      { float(focus.Low[axis]), float(1 / std::max(focus.High[axis] - focus.Low[axis], 1e-30)) });
   }
-  glBindTexture(GL_TEXTURE_2D, 0);
 }
 
 void WarpTable::WriteIdentity(int layer)
@@ -47,19 +55,15 @@ void WarpTable::WriteIdentity(int layer)
     inverse.push_back((float(i) + 0.5f) / float(this->Resolution));
     inverse.push_back((float(i) + 1.5f) / float(this->Resolution));
   }
-  glBindTexture(GL_TEXTURE_2D, this->Table.GetId());
   for (int row = 0; row < RowsPerLayer; ++row)
   {
-    const bool isForward = row < 2;
-    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, RowsPerLayer * layer + row,
-      isForward ? this->Cells : this->Resolution, 1, GL_RG, GL_FLOAT,
-      (isForward ? forward : inverse).data());
+    this->WriteRow(RowsPerLayer * layer + row, 0, row < 2 ? forward : inverse);
   }
-  glBindTexture(GL_TEXTURE_2D, 0);
 }
 
 void WarpTable::Bind(const Program& program) const
 {
+  this->Table.BindStorage(StorageBinding);
   this->Table.Bind(Unit);
   this->Bends.Bind(BendUnit);
   program.Set("rtwWarpTable", Unit);
@@ -69,8 +73,9 @@ void WarpTable::Bind(const Program& program) const
 
 std::vector<float> WarpTable::Read() const
 {
-  std::vector<float> values(std::size_t(2) * this->Table.GetWidth() * this->Table.GetHeight());
-  this->Table.ReadFloats(0, values.data());
+  const std::size_t elements = std::size_t(this->Rows) * this->GetRowLength();
+  std::vector<float> values(2 * elements);
+  this->Table.Read(values.data(), elements);
   return values;
 }
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The focus and the warping functions of every layer, in one small texture that caster, receiver and analysis read.
+// The focus and the warping functions of every layer, in one small buffer that caster, receiver and
+// analysis read.
 #ifndef rtwWarpTable_h
 #define rtwWarpTable_h
 
 #include "rtwLightFrame.h"
-#include "rtwTexture.h"
+#include "rtwTexelBuffer.h"
 
 #include <vector>
 
@@ -18,6 +19,10 @@ public:
   static constexpr int RowsPerLayer = 4;
   static constexpr int Unit = 5; ///< texture unit in our own programs
   static constexpr int BendUnit = 6;
+  /// Defined before rtwWarpFocus.glsl, lets it read the table from storage, which is faster where
+  /// there are storage buffers.
+  static constexpr const char* InStorage = "#define RTW_TABLE_IN_STORAGE\n";
+  static constexpr unsigned int StorageBinding = 7; // as there
 
   void Allocate(int cells, int resolution, int layers);
   /// Sets a layer's focus from the CPU.
@@ -26,8 +31,10 @@ public:
   void WriteIdentity(int layer);
   /// Gives a program of ours the table.
   void Bind(const Program& program) const;
-  const Texture& GetTexture() const { return this->Table; }
-  const Texture& GetBends() const { return this->Bends; }
+  const TexelBuffer& GetValues() const { return this->Table; }
+  const TexelBuffer& GetBends() const { return this->Bends; }
+  /// Elements in a row of the table.
+  int GetRowLength() const;
   int GetCells() const { return this->Cells; }
   int GetResolution() const { return this->Resolution; }
   int GetBendLevels() const { return this->BendLevels; }
@@ -38,9 +45,12 @@ public:
   void Abandon();
 
 private:
-  Texture Table, Bends;
+  void WriteRow(int row, int first, const std::vector<float>& values);
+
+  TexelBuffer Table, Bends;
   int Cells = 0;
   int Resolution = 0;
+  int Rows = 0;
   int BendLevels = 0;
 };
 }

@@ -1,12 +1,11 @@
-// A caster on its way into the shadow map, each vertex warped. What a warp doesn't bend measurably takes this way to the end.
+// A line or a point on its way into the shadow map.
 layout(location = 0) in vec3 point;
 layout(location = 1) in mat4 toFocused; // q · w, depth · w, w
 uniform int rtwLayer;
-out vec3 onLight; // q and depth; linear over the triangle on the map too, because w is 1
 
 void main()
 {
   vec4 p = toFocused * vec4(point, 1.0);
-  onLight = p.xyz / p.w;
+  vec3 onLight = p.xyz / p.w;
   gl_Position = vec4(2.0 * rtwWarp(rtwLayer, onLight.xy) - 1.0, 2.0 * onLight.z - 1.0, 1.0);
 }

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rtwTexelBuffer.h"
+
+#include "rtwOpenGL.h"
+
+namespace rtw
+{
+void TexelBuffer::Allocate(int components, std::size_t elements)
+{
+  const unsigned int before = this->Values.GetId();
+  const bool same = this->Components == components;
+  this->Components = components;
+  this->Values.Reserve(elements * this->ElementSize());
+  if (same && this->Texture && before == this->Values.GetId())
+  {
+    return;
+  }
+  if (!this->Texture)
+  {
+    glGenTextures(1, &this->Texture);
+  }
+  glBindTexture(GL_TEXTURE_BUFFER, this->Texture);
+  glTexBuffer(GL_TEXTURE_BUFFER, components == 2 ? GL_RG32F : GL_RGBA32F, this->Values.GetId());
+  glBindTexture(GL_TEXTURE_BUFFER, 0);
+}
+
+void TexelBuffer::Write(std::size_t first, const float* values, std::size_t elements)
+{
+  this->Values.Write(first * this->ElementSize(), values, elements * this->ElementSize());
+}
+
+void TexelBuffer::Read(float* values, std::size_t elements) const
+{
+  this->Values.Read(0, values, elements * this->ElementSize());
+}
+
+void TexelBuffer::Bind(int unit) const
+{
+  glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+  glBindTexture(GL_TEXTURE_BUFFER, this->Texture);
+}
+
+void TexelBuffer::Unbind(int unit) const
+{
+  glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+  glBindTexture(GL_TEXTURE_BUFFER, 0);
+}
+
+void TexelBuffer::Release()
+{
+  if (this->Texture)
+  {
+    glDeleteTextures(1, &this->Texture);
+  }
+  this->Values.Release();
+  this->Abandon();
+}
+
+void TexelBuffer::Abandon()
+{
+  this->Values.Abandon();
+  this->Texture = 0;
+  this->Components = 0;
+}
+}

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A buffer of 2- or 4-float elements that any shader can read as a buffer texture, and a compute
+// shader write as storage.
+#ifndef rtwTexelBuffer_h
+#define rtwTexelBuffer_h
+
+#include "rtwBuffer.h"
+
+#include <cstddef>
+
+namespace rtw
+{
+class TexelBuffer
+{
+public:
+  TexelBuffer() = default;
+  TexelBuffer(const TexelBuffer&) = delete;
+  TexelBuffer& operator=(const TexelBuffer&) = delete;
+
+  /// Makes room for that many elements of 2 or 4 floats; what was there is lost if there was less
+  /// of it.
+  void Allocate(int components, std::size_t elements);
+  void Write(std::size_t first, const float* values, std::size_t elements);
+  void Read(float* values, std::size_t elements) const;
+  /// Binds it to a texture unit, by its number.
+  void Bind(int unit) const;
+  void Unbind(int unit) const;
+  void BindStorage(unsigned int binding) const { this->Values.BindStorage(binding); }
+  std::size_t GetMemory() const { return this->Values.GetSize(); }
+  void Release();
+  void Abandon();
+
+private:
+  std::size_t ElementSize() const { return sizeof(float) * this->Components; }
+
+  Buffer Values;
+  unsigned int Texture = 0;
+  int Components = 0;
+};
+}
+
+#endif

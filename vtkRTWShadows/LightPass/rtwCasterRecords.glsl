@@ -1,0 +1,22 @@
+// Triangles that are ready to be drawn, as the set-up writes them and the vertex shaders read them.
+struct StraightCaster
+{
+  vec2 onMap[3];
+  float depth[3];
+  float unused;
+  vec2 slope; // of depth, in focused light-plane coordinates
+};
+
+struct BentCaster
+{
+  vec4 edges[3]; // signed distance from each at (q - anchor, 1); w: slope of depth, and its least
+  vec4 anchor;   // a corner: q and depth; w: the greatest depth
+};
+
+// A part of the map that holds a bent triangle, or a slice of one: a triangle, or the parallelogram that it is half of.
+struct CasterCover
+{
+  vec2 corners[3];
+  uint caster; // twice its index, and 1 for a parallelogram
+  float depth;
+};

@@ -1,0 +1,83 @@
+// A triangle of a cluster as the light sees it, and which texels' centres it can hide.
+layout(std430, binding = 0) readonly buffer Points
+{
+  float rtwPoints[];
+};
+layout(std430, binding = 1) readonly buffer Indices
+{
+  uint rtwIndices[];
+};
+layout(std430, binding = 2) readonly buffer Matrices
+{
+  mat4 rtwMatrices[]; // an instance: from the mesh to (q · w, depth · w, w)
+};
+uniform int rtwLayer;
+uniform float rtwNearestW; // what is nearer to a spot casts no shadow
+
+const float MARGIN = 0.02; // of a texel, for rounding
+
+struct Caster
+{
+  vec4 points[3];
+  vec2 depths; // least and greatest
+  vec2 low;    // bounds of q
+  vec2 high;
+  bool crosses; // the plane of a spot
+};
+
+vec4 rtwPoint(uint corner)
+{
+  uint i = 3u * (rtwWork[gl_WorkGroupID.x].baseVertex + rtwIndices[rtwWork[gl_WorkGroupID.x].firstIndex + corner]);
+  return rtwMatrices[rtwWork[gl_WorkGroupID.x].instance] * vec4(rtwPoints[i], rtwPoints[i + 1u], rtwPoints[i + 2u], 1.0);
+}
+
+void rtwExtend(inout Caster t, vec3 p)
+{
+  t.low = min(t.low, p.xy);
+  t.high = max(t.high, p.xy);
+  t.depths = vec2(min(t.depths.x, p.z), max(t.depths.y, p.z));
+}
+
+// Of the part that is not behind the light. False where none is left or all of it lies beside the map.
+bool rtwSetBounds(inout Caster t)
+{
+  t.low = vec2(1e30);
+  t.high = vec2(-1e30);
+  t.depths = vec2(1e30, -1e30);
+  t.crosses = false;
+  for (int i = 0; i < 3; ++i)
+  {
+    vec4 a = t.points[i];
+    vec4 b = t.points[(i + 1) % 3];
+    if (a.w >= rtwNearestW)
+    {
+      rtwExtend(t, a.xyz / a.w);
+    }
+    if ((a.w < rtwNearestW) != (b.w < rtwNearestW))
+    {
+      rtwExtend(t, mix(a, b, (rtwNearestW - a.w) / (b.w - a.w)).xyz / rtwNearestW);
+      t.crosses = true;
+    }
+  }
+  return all(lessThanEqual(t.low, t.high)) && all(lessThanEqual(t.low, vec2(1.0))) && all(greaterThanEqual(t.high, vec2(0.0))) &&
+    t.depths.x <= 1.0;
+}
+
+// The first and last texel along each axis whose centre lies in an interval on the map.
+ivec4 rtwTexels(vec2 low, vec2 high)
+{
+  float side = float(rtwWarpSize.y);
+  vec2 first = ceil(clamp(low, 0.0, 1.0) * side - 0.5 - MARGIN);
+  vec2 last = floor(clamp(high, 0.0, 1.0) * side - 0.5 + MARGIN);
+  return ivec4(max(first, 0.0), min(last, side - 1.0));
+}
+
+// Of a triangle of the cluster.
+bool rtwLoadCaster(uint triangle, out Caster t)
+{
+  for (int k = 0; k < 3; ++k)
+  {
+    t.points[k] = rtwPoint(3u * triangle + uint(k));
+  }
+  return rtwSetBounds(t);
+}

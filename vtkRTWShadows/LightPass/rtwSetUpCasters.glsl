@@ -1,0 +1,104 @@
+// The triangles of a cluster that hide anything, made ready to be drawn: straight where the warp doesn't bend them measurably, and
+// otherwise covered, so that each fragment decides in unwarped light space.
+//
+// Edges and plane are homogeneous (Olano and Greer 1997), so that a triangle that reaches behind a spot needs no clipping but for its
+// bounds.
+layout(local_size_x = 32) in;
+layout(std430, binding = 4) writeonly buffer StraightCasters
+{
+  StraightCaster rtwStraight[];
+};
+uniform float rtwAllowedBend; // of the map's side
+
+// Of depth, which a straight triangle interpolates: what the bends of its inside amount to must not be seen as acne.
+const float ALLOWED_ERROR = 5e-7;
+
+const float STEEPEST = 60000.0; // that a 16-bit float holds
+
+struct CasterPlane
+{
+  vec3 edges[3];
+  vec3 anchor;
+  vec2 slope;
+};
+
+// Relative to the corner that is farthest from the light: differences of large numbers would leave nothing of a small triangle.
+bool rtwSetPlane(Caster t, out CasterPlane p)
+{
+  int a = t.points[1].w > t.points[0].w ? 1 : 0;
+  a = t.points[2].w > t.points[a].w ? 2 : a;
+  vec4 far = t.points[a];
+  p.anchor = far.xyz / far.w;
+  vec4 h[3]; // homogeneous, the anchor at the origin
+  for (int i = 0; i < 3; ++i)
+  {
+    vec4 at = t.points[i];
+    h[i] = i == a ? vec4(0.0, 0.0, 0.0, at.w) : vec4(at.xyz - p.anchor * at.w, at.w);
+  }
+  vec4 b = h[(a + 1) % 3];
+  vec4 c = h[(a + 2) % 3];
+  float area = b.x * c.y - b.y * c.x;
+  p.slope = vec2(b.z * c.y - b.y * c.z, b.x * c.z - b.z * c.x) / area;
+  for (int i = 0; i < 3; ++i)
+  {
+    vec3 e = cross(h[(i + 1) % 3].xyw, h[(i + 2) % 3].xyw);
+    p.edges[i] = e * (area < 0.0 ? -1.0 : 1.0) / max(length(e.xy), 1e-30);
+  }
+  return abs(p.slope.x) + abs(p.slope.y) < 1e30; // not seen edge on
+}
+
+void rtwDrawStraight(Caster t, vec2 slope, vec2 u[3])
+{
+  uint cluster = gl_WorkGroupID.x;
+  uint i = MOST_TRIANGLES * cluster + atomicAdd(rtwWork[cluster].straightDraw[0], 3u) / 3u;
+  for (int k = 0; k < 3; ++k)
+  {
+    rtwStraight[i].onMap[k] = u[k];
+    rtwStraight[i].depth[k] = t.points[k].z / t.points[k].w;
+  }
+  rtwStraight[i].slope = clamp(slope, -STEEPEST, STEEPEST);
+}
+
+void rtwDrawBent(Caster t, CasterPlane p, uint caster, vec2 u[3], vec2 bend)
+{
+  rtwBent[caster].edges[0] = vec4(p.edges[0], p.slope.x);
+  rtwBent[caster].edges[1] = vec4(p.edges[1], p.slope.y);
+  rtwBent[caster].edges[2] = vec4(p.edges[2], t.depths.x);
+  rtwBent[caster].anchor = vec4(p.anchor, t.depths.y);
+  rtwCover(t, caster, u, bend);
+}
+
+void rtwSetUp(uint triangle)
+{
+  Caster t;
+  CasterPlane p;
+  if (!rtwLoadCaster(triangle, t) || !rtwSetPlane(t, p))
+  {
+    return;
+  }
+  vec2 u[3];
+  for (int k = 0; k < 3; ++k)
+  {
+    u[k] = rtwWarp(rtwLayer, t.points[k].xy / t.points[k].w);
+  }
+  vec2 bend = vec2(rtwBend(rtwLayer, 0, t.low.x, t.high.x), rtwBend(rtwLayer, 1, t.low.y, t.high.y));
+  vec2 shift = vec2(rtwShift(rtwLayer, 0, t.low.x, t.high.x), rtwShift(rtwLayer, 1, t.low.y, t.high.y));
+  bool straight = 3u * triangle >= rtwWork[gl_WorkGroupID.x].bentEnd ||
+    (max(bend.x, bend.y) <= rtwAllowedBend && dot(abs(p.slope), shift) <= ALLOWED_ERROR);
+  if (straight && !t.crosses)
+  {
+    rtwDrawStraight(t, p.slope, u);
+  }
+  else
+  {
+    rtwDrawBent(t, p, MOST_TRIANGLES * gl_WorkGroupID.x + triangle, u, bend);
+  }
+}
+
+void main()
+{
+  for (uint i = gl_LocalInvocationID.x; i < rtwWork[gl_WorkGroupID.x].numberOfCasters; i += gl_WorkGroupSize.x)
+  {
+    rtwSetUp(rtwWork[gl_WorkGroupID.x].casters[i]);
+  }
+}
