@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rtwCollect.h"
 
+#include "rtwViewRays.h"
+
 #include <vtkActor.h>
 #include <vtkAssemblyNode.h>
 #include <vtkAssemblyPath.h>
-#include <vtkCamera.h>
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
 #include <vtkGlyph3DMapper.h>
@@ -107,19 +108,12 @@ void AddProp(vtkProp* prop, const ReferenceOptions& options, Geometry& to)
     }
   }
 }
-
-dvec3 CameraPosition(vtkCamera* camera)
-{
-  auto toWorld = vtkSmartPointer<vtkMatrix4x4>::New();
-  vtkMatrix4x4::Invert(camera->GetModelViewTransformMatrix(), toWorld);
-  return { toWorld->GetElement(0, 3), toWorld->GetElement(1, 3), toWorld->GetElement(2, 3) };
-}
 }
 
 Geometry Collect(vtkRenderer* renderer, const ReferenceOptions& options)
 {
   Geometry geometry;
-  geometry.Origin = CameraPosition(renderer->GetActiveCamera());
+  geometry.Origin = EyePosition(renderer->GetActiveCamera());
   vtkPropCollection* props = renderer->GetViewProps();
   for (int i = 0; i < props->GetNumberOfItems(); ++i)
   {

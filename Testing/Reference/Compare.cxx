@@ -98,6 +98,7 @@ ShadowErrors Compare(const std::vector<unsigned char>& mask, const Truth& truth)
     errors.WronglyLit += isWronglyLit;
     errors.NotComparable += mask[i] == MASK_AVERTED;
     errors.FarFromEdge += (isWronglyDark || isWronglyLit) && !nearEdge[i];
+    errors.DarkFarFromEdge += isWronglyDark && !nearEdge[i];
     errors.AtEdge += edges[i] != 0;
   }
   return errors;

@@ -5,6 +5,7 @@
 #include "rtwTracer.h"
 #include "rtwViewRays.h"
 
+#include <vtkCamera.h>
 #include <vtkLight.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
@@ -73,55 +74,113 @@ struct Pixel
 class PixelTracer
 {
 public:
-  PixelTracer(const Tracer& tracer, double diagonal, const ViewRays& view, const LightRays& light)
+  // `eye` is where the view's rays are relative to, in the coordinates of Geometry.
+  PixelTracer(const Tracer& tracer, double diagonal, const ViewRays& view, const dvec3& eye,
+    const LightRays& light)
     : Rays(tracer)
     , Diagonal(diagonal)
     , View(view)
+    , Eye(eye)
     , Light(light)
   {
   }
 
   Pixel operator()(int x, int y) const
   {
-    const Ray ray = this->View.At(x + 0.5, y + 0.5);
+    const std::optional<Seen> seen = this->Look(x, y);
+    return seen
+      ? Pixel{ this->Shade(*seen), this->View.WindowDepth(seen->Surface.Position - this->Eye) }
+      : Pixel{};
+  }
+
+  /// But for the index, and only where the light is faced.
+  std::optional<ViewSample> Sample(int x, int y) const
+  {
+    const std::optional<Seen> seen = this->Look(x, y);
+    if (!seen || !this->FacesLight(*seen))
+    {
+      return std::nullopt;
+    }
+    const SurfacePoint& at = seen->Surface;
+    const dvec3 origin = this->Rays.Scene().Origin;
+    return ViewSample{ 0, at.Position + origin, this->Moves(x, y, { 1, 0 }, at),
+      this->Moves(x, y, { 0, 1 }, at) };
+  }
+
+private:
+  struct Seen
+  {
+    SurfacePoint Surface; // its normal is turned to the viewer
+    Primitive What;
+  };
+
+  Ray RayAt(double x, double y) const
+  {
+    Ray ray = this->View.At(x, y);
+    ray.Origin += this->Eye;
+    return ray;
+  }
+
+  std::optional<Seen> Look(int x, int y) const
+  {
+    const Ray ray = this->RayAt(x + 0.5, y + 0.5);
     const std::optional<Hit> hit = this->Rays.First(ray);
     if (!hit)
     {
-      return {};
+      return std::nullopt;
     }
     SurfacePoint surface = Meet(this->Rays.Scene(), hit->What, ray, hit->Distance);
     if (glm::dot(surface.Normal, ray.Direction) > 0)
     {
       surface.Normal = -surface.Normal;
     }
-    return { this->Shade(surface, hit->What), this->View.WindowDepth(surface.Position) };
+    return Seen{ surface, hit->What };
   }
 
-private:
-  MaskValue Shade(const SurfacePoint& at, const Primitive& primitive) const
+  // How far a ray's meeting point with the tangent plane moves for a pixel, measured over a
+  // fraction of one: a whole one may be beyond the plane's horizon.
+  dvec3 Moves(int x, int y, const glm::dvec2& pixel, const SurfacePoint& at) const
   {
-    const dvec3 light = this->Light.Towards(at.Position);
-    // Negated, so that it also turns away a degenerate triangle, whose normal is not a number.
-    const bool isAverted = !(-glm::dot(at.Normal, light) > 1e-3);
-    if (isAverted || !this->Light.Reaches(at.Position) ||
-      !Traits(this->Rays.Scene(), primitive).Receives)
+    const double fraction = 1.0 / 64;
+    const auto meet = [&](double share) {
+      const Ray ray = this->RayAt(x + 0.5 + share * pixel.x, y + 0.5 + share * pixel.y);
+      return ray.At(
+        glm::dot(at.Position - ray.Origin, at.Normal) / glm::dot(ray.Direction, at.Normal));
+    };
+    return (meet(fraction) - meet(-fraction)) / (2 * fraction);
+  }
+
+  bool FacesLight(const Seen& seen) const
+  {
+    const SurfacePoint& at = seen.Surface;
+    // So that it also turns away a degenerate triangle, whose normal is not a number.
+    const bool isFacing = -glm::dot(at.Normal, this->Light.Towards(at.Position)) > 1e-3;
+    return isFacing && this->Light.Reaches(at.Position) &&
+      Traits(this->Rays.Scene(), seen.What).Receives;
+  }
+
+  MaskValue Shade(const Seen& seen) const
+  {
+    if (!this->FacesLight(seen))
     {
       return MASK_AVERTED;
     }
     // Off the surface by more than its coordinates may be wrong: they were rounded relative to the
     // world's origin, which may be far off, when the mesh was made, and to the camera's position
-    // when it was collected.
+    // when it was collected. By no more than that, or thin things lose their shadows.
+    const SurfacePoint& at = seen.Surface;
     const double fromOrigin = glm::length(at.Position + this->Rays.Scene().Origin);
-    const double size = std::max(glm::length(at.Position), std::min(fromOrigin, this->Diagonal));
-    const double offset = 1e-5 * (size + 0.05 * this->Diagonal);
-    const Ray ray{ at.Position + at.Normal * offset, -light, offset,
+    const double whenMade = 1e-5 * (std::min(fromOrigin, this->Diagonal) + 0.05 * this->Diagonal);
+    const double offset = std::max(whenMade, 1e-6 * glm::length(at.Position));
+    const Ray ray{ at.Position + at.Normal * offset, -this->Light.Towards(at.Position), offset,
       this->Light.Distance(at.Position) };
-    return this->Rays.IsBlocked(ray, primitive) ? MASK_SHADOW : MASK_LIT;
+    return this->Rays.IsBlocked(ray, seen.What) ? MASK_SHADOW : MASK_LIT;
   }
 
   const Tracer& Rays;
   double Diagonal;
   const ViewRays& View;
+  dvec3 Eye;
   const LightRays& Light;
 };
 
@@ -159,6 +218,26 @@ struct ShadowReference::Internals
   ReferenceOptions Options;
   Tracer Rays;
   double Diagonal;
+
+  // Calls work(trace, x, y) for all pixels, row by row.
+  template <class Work>
+  void ForEachPixel(vtkLight* light, int width, int height, Work work) const
+  {
+    // Lights that go with the camera are placed by the renderer, at each frame.
+    this->Renderer->UpdateLightsGeometryToFollowCamera();
+    const LightRays lightRays(light, this->Rays.Scene().Origin);
+    vtkCamera* camera = this->Renderer->GetActiveCamera();
+    const ViewRays view(camera, width, height);
+    const dvec3 eye = EyePosition(camera) - this->Rays.Scene().Origin;
+    const PixelTracer trace(this->Rays, this->Diagonal, view, eye, lightRays);
+    const auto row = [&](int y) {
+      for (int x = 0; x < width; ++x)
+      {
+        work(trace, x, y);
+      }
+    };
+    ForEachRow(height, this->Options, row);
+  }
 };
 
 ShadowReference::ShadowReference(vtkRenderer* renderer, const ReferenceOptions& options)
@@ -172,28 +251,38 @@ ShadowReference::ShadowReference(ShadowReference&&) noexcept = default;
 
 Truth ShadowReference::Trace(vtkLight* light, int width, int height) const
 {
-  // Lights that go with the camera are placed by the renderer, at each frame.
-  this->Inside->Renderer->UpdateLightsGeometryToFollowCamera();
-  const LightRays lightRays(light, this->Inside->Rays.Scene().Origin);
-  const ViewRays view(this->Inside->Renderer->GetActiveCamera(), width, height);
-  const PixelTracer trace(this->Inside->Rays, this->Inside->Diagonal, view, lightRays);
-
   Truth truth;
   truth.Width = width;
   truth.Height = height;
   truth.Mask.resize(size_t(width) * height);
   truth.Depth.resize(truth.Mask.size());
-  const auto row = [&](int y) {
-    for (int x = 0; x < width; ++x)
+  const auto pixel = [&](const PixelTracer& trace, int x, int y) {
+    const size_t i = size_t(y) * width + x;
+    const Pixel seen = trace(x, y);
+    truth.Mask[i] = seen.Mask;
+    truth.Depth[i] = seen.Depth;
+  };
+  this->Inside->ForEachPixel(light, width, height, pixel);
+  return truth;
+}
+
+std::vector<ViewSample> ShadowReference::Samples(vtkLight* light, int width, int height) const
+{
+  std::vector<std::vector<ViewSample>> rows(height);
+  const auto pixel = [&](const PixelTracer& trace, int x, int y) {
+    if (std::optional<ViewSample> sample = trace.Sample(x, y))
     {
-      const size_t i = size_t(y) * width + x;
-      const Pixel pixel = trace(x, y);
-      truth.Mask[i] = pixel.Mask;
-      truth.Depth[i] = pixel.Depth;
+      sample->Pixel = size_t(y) * width + x;
+      rows[y].push_back(*sample);
     }
   };
-  ForEachRow(height, this->Inside->Options, row);
-  return truth;
+  this->Inside->ForEachPixel(light, width, height, pixel);
+  std::vector<ViewSample> samples;
+  for (const std::vector<ViewSample>& row : rows)
+  {
+    samples.insert(samples.end(), row.begin(), row.end());
+  }
+  return samples;
 }
 
 size_t ShadowReference::NumberOfPrimitives() const

@@ -87,6 +87,18 @@ TEST(Compare, FarIsMoreThanTwoPixelsFromAnEdge)
   EXPECT_EQ(rtw::Compare(dot.Mask, dot).FarFromEdge, 0u);
 }
 
+TEST(Compare, TellsDarkFromLitNearAndFar)
+{
+  const rtw::Truth row = MakeTruth(10, "LLLLLSSSSS");
+  const rtw::ShadowErrors errors =
+    rtw::Compare({ 0, 255, 255, 255, 0, 255, 255, 0, 255, 255 }, row);
+  EXPECT_EQ(errors.DarkFarFromEdge, 1u);
+  EXPECT_EQ(errors.LitFarFromEdge(), 2u);
+  EXPECT_EQ(errors.DarkNearEdge(), 1u);
+  EXPECT_EQ(errors.LitNearEdge(), 2u);
+  EXPECT_EQ(errors.NearEdge(), 3u);
+}
+
 TEST(Compare, RefusesAMaskOfAnotherSize)
 {
   EXPECT_THROW(rtw::Compare({ 255 }, MakeTruth(2, "LL")), std::invalid_argument);

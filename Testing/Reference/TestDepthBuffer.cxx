@@ -36,7 +36,9 @@ double Agreement(const rtw::Truth& truth, const std::vector<float>& drawn, doubl
 
 namespace
 {
-constexpr int WIDTH = 300, HEIGHT = 200;
+// OpenGL rounds corners to a fraction of a pixel, so that some pixels at edges are bound to differ:
+// the fewer, the larger the picture.
+constexpr int WIDTH = 600, HEIGHT = 400;
 
 std::vector<float> DrawDepth(vtkRenderer* renderer, vtkRenderWindow* window)
 {
@@ -50,7 +52,7 @@ std::vector<float> DrawDepth(vtkRenderer* renderer, vtkRenderWindow* window)
   return depth;
 }
 
-class DepthBuffer : public testing::TestWithParam<const char*>
+class DepthBuffer : public testing::TestWithParam<std::string>
 {
 };
 }
@@ -69,9 +71,9 @@ TEST_P(DepthBuffer, IsWhatTheReferenceSees)
   auto* light = vtkLight::SafeDownCast(whole->GetLights()->GetItemAsObject(0));
   const rtw::Truth truth = rtw::ShadowReference(whole).Trace(light, WIDTH, HEIGHT);
   const double farOverNear = scene.Camera.Far / scene.Camera.Near;
-  EXPECT_GT(Agreement(truth, DrawDepth(whole, window), farOverNear), 0.998);
-  EXPECT_GT(Agreement(truth, DrawDepth(pieces, window), farOverNear), 0.998);
+  EXPECT_GT(Agreement(truth, DrawDepth(whole, window), farOverNear), 0.999);
+  EXPECT_GT(Agreement(truth, DrawDepth(pieces, window), farOverNear), 0.999);
 }
 
-INSTANTIATE_TEST_SUITE_P(Reference, DepthBuffer, testing::Values("sandbox", "robot", "duel"),
-  [](const auto& info) { return std::string(info.param); });
+INSTANTIATE_TEST_SUITE_P(Reference, DepthBuffer, testing::ValuesIn(rtw::SceneNames()),
+  [](const auto& info) { return info.param; });

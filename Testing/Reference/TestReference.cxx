@@ -100,6 +100,23 @@ TEST(Reference, ProgressEndsAndThreadsDoNotMatter)
   EXPECT_EQ(one.Depth, five.Depth);
 }
 
+TEST(Reference, TheCameraMayMove)
+{
+  Stage stage;
+  stage.Renderer->AddActor(MakeBall(0));
+  const rtw::ShadowReference before(stage.Renderer);
+  const rtw::Truth unmoved = before.Trace(stage.Light, 120, 90);
+  stage.Renderer->GetActiveCamera()->SetPosition(3, 7, 10);
+  stage.Renderer->GetActiveCamera()->SetFocalPoint(0, 1, 0);
+  const rtw::Truth moved = before.Trace(stage.Light, 120, 90), expected = stage.Trace();
+  EXPECT_GT(Differences(unmoved, expected), 500u);
+  EXPECT_LE(Differences(moved, expected), 2u);
+  for (size_t i = 0; i < expected.Depth.size(); i += 7)
+  {
+    EXPECT_NEAR(moved.Depth[i], expected.Depth[i], 1e-5);
+  }
+}
+
 TEST(Reference, AnEmptyRendererIsBackground)
 {
   vtkNew<vtkRenderer> renderer;

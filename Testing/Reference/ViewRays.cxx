@@ -22,6 +22,11 @@ glm::dmat4 Convert(vtkMatrix4x4* from)
 }
 }
 
+dvec3 EyePosition(vtkCamera* camera)
+{
+  return dvec3(glm::inverse(Convert(camera->GetModelViewTransformMatrix()))[3]);
+}
+
 ViewRays::ViewRays(vtkCamera* camera, int width, int height)
   : Width(width)
   , Height(height)

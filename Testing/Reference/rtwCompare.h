@@ -20,11 +20,16 @@ struct ShadowErrors
   size_t Shadowed = 0;  // of those, in shadow
   size_t WronglyDark = 0;
   size_t WronglyLit = 0;
-  size_t NotComparable = 0; // the mask says 128 there: no decision
-  size_t FarFromEdge = 0;   // wrong ones more than two pixels from where the truth changes
-  size_t AtEdge = 0;        // pixels beside one, above or below too, that is otherwise lit
+  size_t NotComparable = 0;   // the mask says 128 there: no decision
+  size_t FarFromEdge = 0;     // wrong ones more than two pixels from where the truth changes
+  size_t DarkFarFromEdge = 0; // of those, wrongly dark
+  size_t AtEdge = 0;          // pixels beside one, above or below too, that is otherwise lit
 
   size_t Wrong() const { return this->WronglyDark + this->WronglyLit; }
+  size_t LitFarFromEdge() const { return this->FarFromEdge - this->DarkFarFromEdge; }
+  size_t NearEdge() const { return this->Wrong() - this->FarFromEdge; }
+  size_t DarkNearEdge() const { return this->WronglyDark - this->DarkFarFromEdge; }
+  size_t LitNearEdge() const { return this->WronglyLit - this->LitFarFromEdge(); }
   /// A share of the pixels that face the light.
   double Percent(size_t pixels) const
   {

@@ -6,6 +6,8 @@
 #include <memory>
 #include <vector>
 
+#include <glm/vec3.hpp>
+
 class vtkLight;
 class vtkProp;
 class vtkRenderer;
@@ -28,6 +30,16 @@ struct Truth
   int Height = 0;
   std::vector<unsigned char> Mask; // MaskValue
   std::vector<double> Depth;       // as in a depth buffer: 0 on the near plane, 1 behind it all
+};
+
+/// What a pixel that faces the light sees, in world coordinates.
+struct ViewSample
+{
+  size_t Pixel; // its index in Truth::Mask
+  glm::dvec3 Position;
+  glm::dvec3
+    ToRight; // where the next pixel's ray would meet the tangent plane, but for perspective
+  glm::dvec3 ToAbove;
 };
 
 struct ReferenceOptions
@@ -59,8 +71,12 @@ public:
   ~ShadowReference();
   ShadowReference(ShadowReference&&) noexcept;
 
-  /// Through the renderer's present camera, for a directional, a spot or a point light.
+  /// Through the renderer's present camera, for a directional, a spot or a point light. The camera
+  /// may have moved, as far as the scene is large; whatever else has changed is seen as it was.
   Truth Trace(vtkLight* light, int width, int height) const;
+
+  /// The pixels that Trace() says are lit or in shadow, in their order.
+  std::vector<ViewSample> Samples(vtkLight* light, int width, int height) const;
 
   size_t NumberOfPrimitives() const;
 

@@ -8,6 +8,9 @@ class vtkCamera;
 
 namespace rtw
 {
+/// In world coordinates, as the camera's own matrix has it.
+dvec3 EyePosition(vtkCamera* camera);
+
 /// The rays of a camera's picture, by its own matrices: perspective, parallel or explicit ones, off
 /// centre, and for windows of any shape. They reach from the near plane to the far one.
 class ViewRays

@@ -131,11 +131,9 @@ std::string ReadText(const std::string& path)
 
 void FitView(Scene& scene)
 {
-  double bounds[6];
-  scene.Mesh->GetBounds(bounds);
-  const glm::dvec3 centre(
-    (bounds[0] + bounds[1]) / 2, (bounds[2] + bounds[3]) / 2, (bounds[4] + bounds[5]) / 2);
-  const double radius = scene.Mesh->GetLength() / 2;
+  const SceneBounds bounds = BoundsOf(scene);
+  const glm::dvec3 centre = (bounds.Low + bounds.High) / 2.0;
+  const double radius = glm::distance(bounds.Low, bounds.High) / 2;
   const double distance = radius / std::sin(glm::radians(scene.Camera.Angle / 2));
   scene.Camera.Position = centre + glm::normalize(glm::dvec3(0.45, 0.4, 0.8)) * distance;
   scene.Camera.Focal = centre;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rtwMakeScenes.h"
 
+#include <cmath>
 #include <stdexcept>
 
 namespace rtw
@@ -20,6 +21,9 @@ const Entry SCENES[] = {
   { "playground", MakePlayground },
   { "duel", MakeDuel },
   { "robot", MakeRobot },
+  { "room", MakeRoom },
+  { "assembly", MakeAssembly },
+  { "molecule", MakeMolecule },
   { "terrain", MakeTerrain },
 };
 }
@@ -50,5 +54,40 @@ Scene MakeScene(const std::string& name, double scale)
     }
   }
   throw std::invalid_argument("no scene is called \"" + name + "\"");
+}
+
+// Triangles are about linear in the scale, with a part that stays: secants find the scale quickly.
+Scene MakeSceneWithBudget(const std::string& name, std::size_t triangles)
+{
+  if (triangles == 0)
+  {
+    throw std::invalid_argument("the budget of a scene must be above zero");
+  }
+  const double budget = double(triangles);
+  const auto isNear = [&](double count) { return std::abs(count / budget - 1) < 0.02; };
+  const auto error = [&](double count) { return std::abs(std::log(count / budget)); };
+  double lastScale = 0, lastCount = 0, scale = 1;
+  Scene best = MakeScene(name, scale);
+  double count = double(NumberOfTriangles(best)), bestCount = count;
+  for (int attempt = 0; attempt < 12 && !isNear(bestCount); ++attempt)
+  {
+    const double slope = (count - lastCount) / (scale - lastScale);
+    const double wanted = slope > 0 ? scale + (budget - count) / slope : scale * budget / count;
+    lastScale = scale;
+    lastCount = count;
+    scale = std::clamp(wanted, std::max(scale / 8, 1e-4), scale * 64);
+    if (scale == lastScale)
+    {
+      break;
+    }
+    Scene scene = MakeScene(name, scale);
+    count = double(NumberOfTriangles(scene));
+    if (error(count) < error(bestCount))
+    {
+      best = std::move(scene);
+      bestCount = count;
+    }
+  }
+  return best;
 }
 }

@@ -76,7 +76,7 @@ void AddSwings(MeshBuilder& mesh, const Fineness& fine)
       for (int c = 0; c < 26; ++c)
       {
         mesh.Torus({ x + dx, .7 + .09 * c, 4.5 + .02 * c * (s - 1.5) }, .045, .011,
-          3 * fine.Rings / 2, std::max(5, fine.Sides / 3), { c % 2 ? Axis::X : Axis::Z, 1, 0 });
+          3 * fine.Rings / 2, std::max(3, fine.Sides / 3), { c % 2 ? Axis::X : Axis::Z, 1, 0 });
       }
     }
     mesh.Box({ x, .66, 4.5 }, { .6, .05, .25 });
@@ -115,7 +115,7 @@ void AddBalls(MeshBuilder& mesh, int fineness)
 // A rope net between two posts.
 void AddNet(MeshBuilder& mesh, const Fineness& fine)
 {
-  const int sides = std::max(4, fine.Sides / 4);
+  const int sides = std::max(3, fine.Sides / 4);
   for (int k = 0; k < 32; ++k)
   {
     const double y = .1 + .09 * k, x = -9 + .125 * k, z = -4 - .0625 * k;
@@ -128,9 +128,9 @@ void AddNet(MeshBuilder& mesh, const Fineness& fine)
 Scene MakePlayground(double scale)
 {
   const double q = std::sqrt(scale);
-  const Fineness fine{ std::max(6, int(44 * q)), std::max(2, int(22 * q)) };
+  const Fineness fine{ std::max(4, int(44 * q)), std::max(2, int(22 * q)) };
   MeshBuilder mesh;
-  mesh.Ground(-40, 40, -40, 40, 40);
+  mesh.Ground(-40, 40, -40, 40, Finer(40, std::min(1.0, 2 * q), 4));
   AddDome(mesh, fine);
   AddCubeFrame(mesh, fine);
   AddSwings(mesh, fine);
@@ -141,6 +141,8 @@ Scene MakePlayground(double scale)
   Scene scene;
   scene.Mesh = mesh.Build();
   scene.Camera = { { -6.5, 3.6, 12.5 }, { .6, .9, 0 }, { 0, 1, 0 }, 45, .5, 120 };
+  scene.Path = { { { -2.5, 3.0, 13.5 }, { .8, 1, 0 } }, { { 3.5, 4.2, 12.0 }, { .2, .9, -.5 } },
+    { { -1.5, 5.0, 11.0 }, { -.2, .8, 0 } } };
   scene.Light.Direction = Unit({ -.55, -.72, -.35 });
   return scene;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rtwScene.h"
+#include "rtwSceneParts.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
@@ -8,8 +8,6 @@
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkPolyDataMapper.h>
-#include <vtkProperty.h>
 #include <vtkRenderer.h>
 
 #include <glm/glm.hpp>
@@ -50,15 +48,11 @@ vtkSmartPointer<vtkPolyData> Piece(vtkPolyData* mesh, vtkIdType begin, vtkIdType
   return piece;
 }
 
-void AddActor(vtkPolyData* mesh, vtkRenderer* renderer)
+void AddActor(vtkSmartPointer<vtkPolyData> mesh, vtkRenderer* renderer)
 {
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(mesh);
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  actor->GetProperty()->SetColor(0.86, 0.83, 0.78);
-  actor->GetProperty()->SetAmbient(0.12);
-  renderer->AddActor(actor);
+  ScenePart part;
+  part.Data = mesh;
+  renderer->AddActor(MakeActor(part));
 }
 }
 
@@ -71,22 +65,26 @@ void Apply(const SceneCamera& from, vtkCamera* to)
   to->SetClippingRange(from.Near, from.Far);
 }
 
+void Apply(const SceneLight& from, const Scene& scene, vtkLight* to)
+{
+  glm::dvec3 position = from.Position, focal = position + from.Direction;
+  if (!from.IsSpot)
+  {
+    const SceneBounds bounds = BoundsOf(scene);
+    focal = (bounds.Low + bounds.High) / 2.0;
+    position = focal - from.Direction * glm::distance(bounds.Low, bounds.High);
+  }
+  to->SetLightTypeToSceneLight();
+  to->SetPositional(from.IsSpot);
+  to->SetConeAngle(from.IsSpot ? from.Cone : 30);
+  to->SetPosition(position.x, position.y, position.z);
+  to->SetFocalPoint(focal.x, focal.y, focal.z);
+}
+
 vtkSmartPointer<vtkLight> MakeLight(const Scene& scene)
 {
-  glm::dvec3 position = scene.Light.Position, focal = position + scene.Light.Direction;
-  if (!scene.Light.IsSpot)
-  {
-    double centre[3];
-    scene.Mesh->GetCenter(centre);
-    focal = { centre[0], centre[1], centre[2] };
-    position = focal - scene.Light.Direction * scene.Mesh->GetLength();
-  }
   auto light = vtkSmartPointer<vtkLight>::New();
-  light->SetLightTypeToSceneLight();
-  light->SetPositional(scene.Light.IsSpot);
-  light->SetConeAngle(scene.Light.IsSpot ? scene.Light.Cone : 30);
-  light->SetPosition(position.x, position.y, position.z);
-  light->SetFocalPoint(focal.x, focal.y, focal.z);
+  Apply(scene.Light, scene, light);
   return light;
 }
 
@@ -94,12 +92,15 @@ void AddToRenderer(const Scene& scene, vtkRenderer* renderer, int pieces)
 {
   const vtkIdType triangles = scene.Mesh->GetNumberOfPolys();
   const vtkIdType actors = std::clamp<vtkIdType>(pieces, 1, std::max<vtkIdType>(triangles, 1));
-  for (vtkIdType i = 0; i < actors; ++i)
+  for (vtkIdType i = 0; i < actors && triangles > 0; ++i)
   {
-    AddActor(actors == 1
-        ? scene.Mesh.Get()
-        : Piece(scene.Mesh, triangles * i / actors, triangles * (i + 1) / actors).Get(),
+    AddActor(actors == 1 ? scene.Mesh
+                         : Piece(scene.Mesh, triangles * i / actors, triangles * (i + 1) / actors),
       renderer);
+  }
+  for (const ScenePart& part : scene.Parts)
+  {
+    renderer->AddActor(MakeActor(part));
   }
   Apply(scene.Camera, renderer->GetActiveCamera());
   renderer->AutomaticLightCreationOff();

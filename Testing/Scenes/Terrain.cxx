@@ -86,6 +86,11 @@ Scene MakeTerrain(double scale)
   scene.Mesh = mesh.Build();
   const dvec3 eye(150, Height(noise, { 150, 1000 }) + 110, 1000);
   scene.Camera = { eye, { -60, 60, 0 }, { 0, 1, 0 }, 40, 2, 4000 };
+  const auto over = [&](double x, double z, double height) {
+    return dvec3(x, Height(noise, { x, z }) + height, z);
+  };
+  scene.Path = { { over(210, 900, 130), { -20, 60, -60 } },
+    { over(60, 800, 170), { -40, 40, -200 } }, { over(0, 960, 150), { 10, 60, -40 } } };
   const double elevation = 12 * PI / 180, heading = 35 * PI / 180; // the sun is ahead, to the left
   scene.Light.Direction = { std::cos(elevation) * std::cos(heading), -std::sin(elevation),
     std::cos(elevation) * std::sin(heading) };

@@ -9,20 +9,16 @@
 #include <vtkLightCollection.h>
 #include <vtkMapper.h>
 #include <vtkNew.h>
-#include <vtkPLYWriter.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkRenderer.h>
-#include <vtkSphereSource.h>
-#include <vtkSTLWriter.h>
 #include <vtkTriangle.h>
-#include <vtkXMLPolyDataWriter.h>
 
 #include <glm/glm.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <ostream>
 #include <stdexcept>
 
@@ -55,6 +51,10 @@ class KnownScenes : public testing::TestWithParam<Known>
 {
 };
 
+class AllScenes : public testing::TestWithParam<std::string>
+{
+};
+
 glm::dvec3 SumOfCoordinates(vtkPolyData* mesh)
 {
   glm::dvec3 sum(0);
@@ -83,24 +83,6 @@ double Area(vtkPolyData* mesh)
     area += vtkTriangle::TriangleArea(corners[0], corners[1], corners[2]);
   }
   return area;
-}
-
-std::string TemporaryFile(const std::string& name)
-{
-  return testing::TempDir() + name;
-}
-
-std::string MessageOf(const std::string& path)
-{
-  try
-  {
-    rtw::LoadScene(path);
-  }
-  catch (const std::runtime_error& error)
-  {
-    return error.what();
-  }
-  return "nothing is wrong";
 }
 }
 
@@ -135,8 +117,147 @@ TEST(Scenes, ScaleChangesTheTown)
   EXPECT_EQ(rtw::MakeScene("playground", 0.3).Mesh->GetNumberOfPolys(), 208336);
 }
 
+TEST(Scenes, AreTheTenOfTheBenchmark)
+{
+  const std::vector<std::string> names = { "town", "sandbox", "furball", "playground", "duel",
+    "robot", "room", "assembly", "molecule", "terrain" };
+  EXPECT_EQ(rtw::SceneNames(), names);
+}
+
+TEST_P(AllScenes, HaveAsManyTrianglesAsTheBudgetAllows)
+{
+  const rtw::Scene usual = rtw::MakeScene(this->GetParam());
+  for (const std::size_t budget : { 10000, 60000, 700000 })
+  {
+    const rtw::Scene scene = rtw::MakeSceneWithBudget(this->GetParam(), budget);
+    EXPECT_NEAR(double(rtw::NumberOfTriangles(scene)) / double(budget), 1, 0.15) << budget;
+    EXPECT_EQ(scene.Name, this->GetParam());
+    EXPECT_EQ(rtw::WriteSettings(scene), rtw::WriteSettings(usual)); // the same view and light
+    // And about the same things in it: some leaves may reach farther than others.
+    const rtw::SceneBounds bounds = rtw::BoundsOf(scene), usually = rtw::BoundsOf(usual);
+    const double size = glm::distance(usually.Low, usually.High);
+    EXPECT_LT(glm::distance(bounds.Low, usually.Low), 0.02 * size) << budget;
+    EXPECT_LT(glm::distance(bounds.High, usually.High), 0.02 * size) << budget;
+  }
+}
+
+TEST_P(AllScenes, AreTheSameEachTime)
+{
+  const rtw::Scene a = rtw::MakeScene(this->GetParam(), 0.5);
+  const rtw::Scene b = rtw::MakeScene(this->GetParam(), 0.5);
+  EXPECT_EQ(SumOfCoordinates(a.Mesh), SumOfCoordinates(b.Mesh));
+  ASSERT_EQ(a.Parts.size(), b.Parts.size());
+  for (size_t i = 0; i < a.Parts.size(); ++i)
+  {
+    EXPECT_EQ(SumOfCoordinates(a.Parts[i].Data), SumOfCoordinates(b.Parts[i].Data));
+    EXPECT_EQ(a.Parts[i].Placement, b.Parts[i].Placement);
+  }
+}
+
+TEST_P(AllScenes, PathsAreSmoothAndClosed)
+{
+  const rtw::Scene scene = rtw::MakeScene(this->GetParam(), 0.1);
+  const auto at = [&](double t) { return rtw::CameraOnPath(scene, t).Position; };
+  for (const double t : { 0.0, 1.0 })
+  {
+    const rtw::SceneCamera camera = rtw::CameraOnPath(scene, t);
+    EXPECT_EQ(camera.Position, scene.Camera.Position);
+    EXPECT_EQ(camera.Focal, scene.Camera.Focal);
+    EXPECT_LT(glm::distance(rtw::LightOnPath(scene, t).Direction, scene.Light.Direction), 1e-12);
+    EXPECT_LT(glm::distance(rtw::LightOnPath(scene, t).Position, scene.Light.Position), 1e-12);
+  }
+  // Steps change by little, over the end too.
+  const double step = 1.0 / 240;
+  double longest = 0, jerk = 0;
+  for (int i = 0; i < 240; ++i)
+  {
+    const glm::dvec3 before = at(i * step) - at((i - 1) * step),
+                     after = at((i + 1) * step) - at(i * step);
+    longest = std::max(longest, glm::length(after));
+    jerk = std::max(jerk, glm::distance(before, after));
+  }
+  EXPECT_GT(longest, 0);
+  EXPECT_LT(jerk, 0.15 * longest);
+}
+
+TEST_P(AllScenes, LightsMoveFromFrameToFrame)
+{
+  const rtw::Scene scene = rtw::MakeScene(this->GetParam(), 0.1);
+  for (int frame = 0; frame < 60; ++frame)
+  {
+    const rtw::SceneLight a = rtw::LightOnPath(scene, frame / 60.0);
+    const rtw::SceneLight b = rtw::LightOnPath(scene, (frame + 1) / 60.0);
+    const double move =
+      glm::distance(a.Direction, b.Direction) + glm::distance(a.Position, b.Position);
+    EXPECT_GT(move, 0) << frame;
+    EXPECT_LT(glm::distance(a.Direction, b.Direction), 0.03) << frame;
+    EXPECT_NEAR(glm::length(a.Direction), 1, 1e-12);
+  }
+}
+
+// What is seen in the middle, and what is as far as ten times the nearest depth, move by as much.
+TEST_P(AllScenes, TinyMovesAreATenthOfAPixel)
+{
+  const rtw::Scene scene = rtw::MakeScene(this->GetParam(), 0.1);
+  EXPECT_EQ(rtw::CameraOnTinyPath(scene, 0).Position, scene.Camera.Position);
+  EXPECT_LT(glm::distance(rtw::CameraOnTinyPath(scene, 0).Focal, scene.Camera.Focal), 1e-9);
+  const double pixel = 2 * std::tan(glm::radians(scene.Camera.Angle / 2)) / scene.Size[1];
+  for (const int frame : { 0, 1, 30, 99 })
+  {
+    const rtw::SceneCamera a = rtw::CameraOnTinyPath(scene, frame);
+    const rtw::SceneCamera b = rtw::CameraOnTinyPath(scene, frame + 1);
+    const glm::dvec3 turn =
+      glm::normalize(b.Focal - b.Position) - glm::normalize(a.Focal - a.Position);
+    EXPECT_NEAR(glm::length(turn) / pixel, 0.1, 0.001);
+    EXPECT_NEAR(
+      glm::distance(a.Position, b.Position) / (10 * scene.Camera.Near) / pixel, 0.1, 0.001);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, AllScenes, testing::ValuesIn(rtw::SceneNames()),
+  [](const auto& info) { return info.param; });
+
+TEST(Scenes, AnAssemblyHasTheActorsAskedFor)
+{
+  EXPECT_EQ(rtw::MakeScene("assembly").Parts.size(), 1000u);
+  EXPECT_NEAR(double(rtw::NumberOfTriangles(rtw::MakeScene("assembly"))), 100000, 5000);
+  const rtw::SceneBounds usual = rtw::BoundsOf(rtw::MakeScene("assembly"));
+  for (const int actors : { 1, 2, 37, 5000 })
+  {
+    const rtw::Scene scene = rtw::MakeAssemblyOf(actors);
+    vtkNew<vtkRenderer> renderer;
+    rtw::AddToRenderer(scene, renderer, 3);
+    EXPECT_EQ(renderer->GetActors()->GetNumberOfItems(), actors);
+    EXPECT_EQ(rtw::BoundsOf(scene).Low.x, usual.Low.x);
+  }
+  EXPECT_THROW(rtw::MakeAssemblyOf(0), std::invalid_argument);
+}
+
+TEST(Scenes, PartsHaveTheirBoundsAndTriangles)
+{
+  const rtw::Scene scene = rtw::MakeScene("molecule");
+  vtkNew<vtkRenderer> renderer;
+  rtw::AddToRenderer(scene, renderer, 2);
+  EXPECT_EQ(renderer->GetActors()->GetNumberOfItems(), vtkIdType(scene.Parts.size()) + 2);
+  std::size_t imposters = 0, glyphs = 0;
+  for (const rtw::ScenePart& part : scene.Parts)
+  {
+    const auto points = std::size_t(part.Data->GetNumberOfPoints());
+    imposters += part.Kind == rtw::PartKind::SPHERES ? points : 0;
+    imposters += part.Kind == rtw::PartKind::STICKS ? 12 * points : 0;
+    glyphs +=
+      part.Kind == rtw::PartKind::GLYPHS ? points * std::size_t(part.Glyph->GetNumberOfPolys()) : 0;
+  }
+  EXPECT_GT(imposters, 1000u);
+  EXPECT_GT(glyphs, 100000u);
+  EXPECT_EQ(rtw::NumberOfTriangles(scene),
+    std::size_t(scene.Mesh->GetNumberOfPolys()) + imposters + glyphs);
+}
+
 TEST(Scenes, RefusesWhatItDoesNotKnow)
 {
+  EXPECT_THROW(rtw::MakeSceneWithBudget("atlantis", 10000), std::invalid_argument);
+  EXPECT_THROW(rtw::MakeSceneWithBudget("town", 0), std::invalid_argument);
   EXPECT_THROW(rtw::MakeScene("atlantis"), std::invalid_argument);
   EXPECT_THROW(rtw::MakeScene("town", 0), std::invalid_argument);
   EXPECT_THROW(rtw::MakeScene("town", std::nan("")), std::invalid_argument);
@@ -193,92 +314,4 @@ TEST(Scenes, SettingsComeBack)
   EXPECT_THROW(rtw::ReadSettings(R"({"camera":{"focal":[1,2]}})", read), std::runtime_error);
   EXPECT_THROW(rtw::ReadSettings(R"({"light":{"type":"lava"}})", read), std::runtime_error);
   EXPECT_THROW(rtw::ReadSettings(R"({"size":[0,1]})", read), std::runtime_error);
-}
-
-TEST(LoadScene, ReadsAnObjAndItsSettings)
-{
-  const std::string path = TemporaryFile("rtw-quad.obj");
-  std::ofstream(path) << "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
-  std::ofstream(TemporaryFile("rtw-quad.json")) << R"({"camera": {"position": [0, 0, 9]}})";
-  const rtw::Scene scene = rtw::LoadScene(path);
-  EXPECT_EQ(scene.Name, "rtw-quad");
-  EXPECT_EQ(scene.Mesh->GetNumberOfPolys(), 2);
-  EXPECT_EQ(scene.Camera.Position, glm::dvec3(0, 0, 9));
-  std::ofstream(TemporaryFile("rtw-quad.json")) << "{";
-  EXPECT_NE(MessageOf(path).find("rtw-quad.json: not a JSON"), std::string::npos);
-}
-
-TEST(LoadScene, FitsTheCamera)
-{
-  vtkNew<vtkSphereSource> sphere;
-  sphere->SetCenter(5, 0, 0);
-  vtkNew<vtkXMLPolyDataWriter> writer;
-  const std::string path = TemporaryFile("rtw-sphere.vtp");
-  writer->SetFileName(path.c_str());
-  writer->SetInputConnection(sphere->GetOutputPort());
-  writer->Write();
-  const rtw::Scene scene = rtw::LoadScene(path);
-  EXPECT_EQ(scene.Mesh->GetNumberOfPolys(), 96);
-  EXPECT_EQ(scene.Mesh->GetPointData()->GetNormals(), nullptr);
-  EXPECT_NEAR(scene.Camera.Focal.x, 5, 0.1);
-  const double distance = glm::distance(scene.Camera.Position, scene.Camera.Focal);
-  EXPECT_LT(scene.Camera.Near, distance - 0.5);
-  EXPECT_GT(scene.Camera.Far, distance + 0.5);
-}
-
-namespace
-{
-template <class Writer>
-void ExpectSphereComesBack(const std::string& name)
-{
-  vtkNew<vtkSphereSource> sphere;
-  vtkNew<Writer> writer;
-  const std::string path = TemporaryFile(name);
-  writer->SetFileName(path.c_str());
-  writer->SetInputConnection(sphere->GetOutputPort());
-  writer->Write();
-  EXPECT_EQ(rtw::LoadScene(path).Mesh->GetNumberOfPolys(), 96) << name;
-}
-}
-
-TEST(LoadScene, ReadsOtherFormats)
-{
-  ExpectSphereComesBack<vtkPLYWriter>("rtw-sphere.ply");
-  ExpectSphereComesBack<vtkSTLWriter>("rtw-sphere.STL");
-}
-
-TEST(LoadScene, PlacesThePartsOfAGltfFile)
-{
-  const std::string path = TemporaryFile("rtw-two.gltf");
-  std::ofstream(path) << R"({"asset": {"version": "2.0"}, "scene": 0,
-    "scenes": [{"nodes": [0, 1]}],
-    "nodes": [{"mesh": 0, "translation": [10, 0, 0]}, {"mesh": 0, "scale": [1, 3, 1]}],
-    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
-    "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
-      "min": [0, 0, 0], "max": [1, 1, 0]}],
-    "bufferViews": [{"buffer": 0, "byteLength": 36}],
-    "buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})";
-  const rtw::Scene scene = rtw::LoadScene(path);
-  EXPECT_EQ(scene.Mesh->GetNumberOfPolys(), 2);
-  double bounds[6];
-  scene.Mesh->GetBounds(bounds);
-  EXPECT_EQ(bounds[1], 11);
-  EXPECT_EQ(bounds[3], 3);
-}
-
-TEST(LoadScene, SaysWhatIsWrong)
-{
-  EXPECT_NE(MessageOf("no/such.obj").find("no/such.obj: there is no such file"), std::string::npos);
-  const std::string odd = TemporaryFile("rtw-odd.docx"), empty = TemporaryFile("rtw-empty.obj");
-  std::ofstream(odd) << "?";
-  EXPECT_NE(MessageOf(odd).find("expected a file that ends in"), std::string::npos);
-  for (const char* name :
-    { "rtw-empty.obj", "rtw-empty.ply", "rtw-empty.stl", "rtw-empty.vtp", "rtw-empty.glb" })
-  {
-    const std::string path = TemporaryFile(name);
-    std::ofstream(path).flush();
-    EXPECT_NE(MessageOf(path).find("no triangles could be read"), std::string::npos) << name;
-    std::ofstream(path) << "This is no mesh at all.\n";
-    EXPECT_NE(MessageOf(path).find("no triangles could be read"), std::string::npos) << name;
-  }
 }

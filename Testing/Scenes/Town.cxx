@@ -40,11 +40,12 @@ void AddHouse(MeshBuilder& mesh, Random& random, double streetX, double streetZ)
   }
 }
 
-void AddStreet(MeshBuilder& mesh)
+// `density` thins out what stands along it.
+void AddStreet(MeshBuilder& mesh, double density)
 {
   for (const double side : { -1., 1. })
   {
-    for (const double z : Arange(200, 292, .35)) // picket fence
+    for (const double z : Arange(200, 292, .35 / density)) // picket fence
     {
       mesh.Box({ side * 7, .55, z }, { .04, 1.1, .12 });
     }
@@ -52,7 +53,7 @@ void AddStreet(MeshBuilder& mesh)
     {
       mesh.Box({ side * 7, y, 246 }, { .05, .08, 92 });
     }
-    for (const double z : Arange(-280, 292, 24)) // lamps
+    for (const double z : Arange(-280, 292, 24 / density)) // lamps
     {
       mesh.Tube({ side * 5.5, 0, z }, { side * 5.5, 6, z }, .09, 8);
       mesh.Tube({ side * 5.5, 6, z }, { side * 4, 6.3, z }, .06, 6);
@@ -66,10 +67,10 @@ struct Place
   double X, Z;
 };
 
-std::vector<Place> PlaceTrees(Random& random)
+std::vector<Place> PlaceTrees(Random& random, double density)
 {
   std::vector<Place> trees;
-  for (const double z : Arange(-280, 292, 13))
+  for (const double z : Arange(-280, 292, 13 / density))
   {
     for (const double side : { -1., 1. })
     {
@@ -77,7 +78,7 @@ std::vector<Place> PlaceTrees(Random& random)
       trees.push_back({ x, z + random.Uniform(-4, 4) });
     }
   }
-  for (int k = 0; k < 160; ++k)
+  for (int k = 0; k < Finer(160, density, 1); ++k)
   {
     const double x = random.Uniform(-150, 150);
     trees.push_back({ x, random.Uniform(-290, 290) });
@@ -111,9 +112,16 @@ std::vector<double> UniformNumbers(Random& random, double low, double high, int 
   return numbers;
 }
 
-// Rhombic leaves about the middle of a crown.
-void AddLeaves(MeshBuilder& mesh, Random& random, const dvec3& crown, int count)
+struct Foliage
 {
+  int Leaves;  // of a tree
+  double Size; // of a leaf
+};
+
+// Rhombic leaves about the middle of a crown.
+void AddLeaves(MeshBuilder& mesh, Random& random, const dvec3& crown, const Foliage& foliage)
+{
+  const int count = foliage.Leaves;
   const Points directions = NormalVectors(random, count);
   const std::vector<double> distances = UniformNumbers(random, .35, 1, count);
   const Points normals = NormalVectors(random, count), across = NormalVectors(random, count);
@@ -125,7 +133,7 @@ void AddLeaves(MeshBuilder& mesh, Random& random, const dvec3& crown, int count)
     const dvec3 p = crown + Unit(directions[i]) * distances[i] * dvec3(2.3, 2.0, 2.3);
     const dvec3 n = Unit(normals[i] + dvec3(0, .6, 0));
     const dvec3 a = Unit(glm::cross(n, across[i])), b = glm::cross(n, a);
-    const double s = sizes[i];
+    const double s = sizes[i] * foliage.Size;
     points.insert(points.end(), { p - a * s, p - b * s * .6, p + a * s, p + b * s * .6 });
     halves.emplace_back(4 * i, 4 * i + 1, 4 * i + 2);
     otherHalves.emplace_back(4 * i, 4 * i + 2, 4 * i + 3);
@@ -134,7 +142,7 @@ void AddLeaves(MeshBuilder& mesh, Random& random, const dvec3& crown, int count)
   mesh.Add(points, halves);
 }
 
-void AddTree(MeshBuilder& mesh, Random& random, const Place& place, int leaves)
+void AddTree(MeshBuilder& mesh, Random& random, const Place& place, const Foliage& foliage)
 {
   const double x = place.X, z = place.Z, h = random.Uniform(5, 9);
   mesh.Cone({ x, 0, z }, { x, h * .7, z }, .22, .1, 8, 3);
@@ -144,37 +152,43 @@ void AddTree(MeshBuilder& mesh, Random& random, const Place& place, int leaves)
     const dvec3 from(x, h * random.Uniform(.35, .6), z);
     mesh.Cone(from, crown + NormalVector(random) * dvec3(1.1, .7, 1.1), .06, .02, 5, 1);
   }
-  AddLeaves(mesh, random, crown, leaves);
+  AddLeaves(mesh, random, crown, foliage);
 }
 }
 
+// Trees have more leaves, and smaller ones where there are more than at 1, or crowns would be
+// solid. Below 65 000 triangles there are no leaves left to lose, and the town thins out.
 Scene MakeTown(double scale)
 {
+  const double density = std::min(1.0, scale / 0.13);
   Random random(1);
   MeshBuilder mesh;
-  mesh.Ground(-300, 300, -300, 300, 40);
+  mesh.Ground(-300, 300, -300, 300, Finer(40, std::sqrt(density), 4));
   for (int row = 0; row < 5; ++row)
   {
     for (const double side : { -1., 1. })
     {
-      for (const double z : Arange(-270, 290, 28))
+      for (const double z : Arange(-270, 290, 28 / density))
       {
         AddHouse(mesh, random, side * (16 + 26 * row), z);
       }
     }
   }
-  AddStreet(mesh);
-  const std::vector<Place> trees = PlaceTrees(random);
+  AddStreet(mesh, density);
+  const std::vector<Place> trees = PlaceTrees(random, density);
   const double left = 500000 * scale - double(mesh.NumberOfTriangles());
   const int leaves = std::max(8, int(left / double(trees.size()) / 2) - 40);
+  const Foliage foliage{ leaves, 1 / std::max(1.0, std::sqrt(scale)) };
   for (const Place& tree : trees)
   {
-    AddTree(mesh, random, tree, leaves);
+    AddTree(mesh, random, tree, foliage);
   }
 
   Scene scene;
   scene.Mesh = mesh.Build();
   scene.Camera = { { 0.8, 1.9, 291 }, { -1.2, 2.6, 200 }, { 0, 1, 0 }, 55, .6, 600 };
+  scene.Path = { { { 2.4, 1.8, 284 }, { -3, 2.4, 200 } }, { { -1.0, 2.4, 272 }, { 1.5, 2.6, 190 } },
+    { { -2.6, 2.2, 282 }, { 2.5, 2.6, 195 } } };
   scene.Light.Direction = Unit({ -.75, -.62, .25 });
   return scene;
 }

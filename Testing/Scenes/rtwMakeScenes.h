@@ -4,8 +4,22 @@
 
 #include "rtwScene.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace rtw
 {
+// Each of these multiplies its triangles by `scale`, roughly, and is at 1 what the comment says.
+// What grows is said where it is made: tessellation where surfaces are curved, and numbers, with
+// smaller things, where there are many things anyway, so that what is covered, and the picture,
+// stay alike.
+
+/// A number of steps of a tessellation at a scale, whose root is given.
+inline int Finer(int steps, double root, int least)
+{
+  return std::max(least, int(std::lround(steps * root)));
+}
+
 /// A street in a 600 m wide town: houses, picket fences, trees with single leaves.
 Scene MakeTown(double scale);
 
@@ -23,6 +37,15 @@ Scene MakeDuel(double scale);
 
 /// A block robot by a wall that the light only grazes: projective aliasing.
 Scene MakeRobot(double scale);
+
+/// A furnished room by night, lit by a lamp over the table, which the camera sees.
+Scene MakeRoom(double scale);
+
+/// 1000 actors of about 100 triangles: a machine of plates, bolts, shafts and gears.
+Scene MakeAssembly(double scale);
+
+/// A bundle of helices, of imposters, in water, of glyphs.
+Scene MakeMolecule(double scale);
 
 /// Hills of fractal heights, smooth where the triangles are small, under a low sun.
 Scene MakeTerrain(double scale);

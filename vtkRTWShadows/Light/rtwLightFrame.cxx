@@ -97,6 +97,18 @@ double LightFrame::DepthOfLength() const
     : 1 / (1 / this->NearestDistance - 1 / this->FarthestDistance);
 }
 
+glm::dmat4 LightFrame::WorldToFocus(const Rectangle& focus) const
+{
+  glm::dmat4 toFocus(1);
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const double scale = 1 / (focus.High[axis] - focus.Low[axis]);
+    toFocus[axis][axis] = scale;
+    toFocus[3][axis] = -focus.Low[axis] * scale;
+  }
+  return toFocus * this->WorldToLight;
+}
+
 glm::dvec3 LightFrame::Project(const glm::dvec3& world) const
 {
   const glm::dvec4 p = this->WorldToLight * glm::dvec4(world, 1);

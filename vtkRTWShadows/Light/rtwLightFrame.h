@@ -54,6 +54,8 @@ struct LightFrame
 
   /// What a world length along the light is in units of depth; for a spot, times w².
   double DepthOfLength() const;
+  /// WorldToLight, but with light-plane coordinates that go from 0 to 1 over a focus.
+  glm::dmat4 WorldToFocus(const Rectangle& focus) const;
   /// Light-plane coordinates and depth; infinite behind a spot.
   glm::dvec3 Project(const glm::dvec3& world) const;
 };

@@ -37,7 +37,7 @@ vtkSmartPointer<vtkImageData> ReadShadowMap(const DenseLayers& layers, int layer
 
 vtkSmartPointer<vtkImageData> ReadWarp(const WarpTable& table, int layer)
 {
-  const std::vector<float> all = table.Read();
+  std::vector<float> all = table.Read();
   const std::size_t row = 2 * std::size_t(table.GetRowLength());
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(table.GetCells() + 1, 2, 1);
@@ -45,7 +45,13 @@ vtkSmartPointer<vtkImageData> ReadWarp(const WarpTable& table, int layer)
   auto* values = static_cast<float*>(image->GetScalarPointer());
   for (int axis = 0; axis < 2; ++axis)
   {
-    const float* from = all.data() + row * (WarpTable::RowsPerLayer * layer + axis);
+    float* from = all.data() + row * (WarpTable::RowsPerLayer * layer + axis);
+    if (table.GetCells() == 1)
+    {
+      // A function of one cell is no warp: nothing reads it, and so nothing writes it.
+      from[0] = 0;
+      from[1] = 1;
+    }
     for (int i = 0; i < table.GetCells(); ++i)
     {
       *values++ = from[2 * i];

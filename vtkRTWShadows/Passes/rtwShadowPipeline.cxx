@@ -361,11 +361,9 @@ glm::dvec2 ShadowPipeline::ReadMaximumEffectiveResolution(int layer) const
   {
     return glm::dvec2(0);
   }
-  const std::vector<float> table = this->Table.Read();
-  const std::size_t row = 2 * std::size_t(this->Table.GetRowLength());
-  const std::size_t scale = WarpTable::RowsPerLayer * layer * row + 2 * this->Table.GetCells() + 1;
+  const Rectangle focus = this->Table.ReadFocus(layer);
   const Rectangle& whole = this->Frames[layer].Bounds;
-  const glm::dvec2 share = (whole.High - whole.Low) * glm::dvec2(table[scale], table[scale + row]);
+  const glm::dvec2 share = (whole.High - whole.Low) / (focus.High - focus.Low);
   const WarpStage& warp = this->OwnDrawing ? *this->Warp : *this->Fallback;
   return share * warp.ReadGreatestDensity(layer) * double(this->Table.GetResolution());
 }

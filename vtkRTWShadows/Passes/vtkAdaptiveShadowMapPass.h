@@ -30,6 +30,7 @@
 class vtkAdaptiveShadowMapBakerPass;
 class vtkImageData;
 class vtkInformationIntegerKey;
+class vtkMatrix4x4;
 class vtkProp;
 class vtkRenderer;
 class vtkShadowMapPartition;
@@ -249,6 +250,13 @@ public:
    * GetShadowMask.
    */
   vtkImageData* GetWarpImage(int light, int layer = 0);
+
+  /**
+   * The matrix from world coordinates to a light's map as it is before the warp of GetWarpImage(): s and t from 0 to 1
+   * over the layer's focus, and depth. False, and nothing is changed, before the first frame or for a light or layer that
+   * there isn't. Waits for the GPU.
+   */
+  bool GetLightPlaneMatrix(int light, int layer, vtkMatrix4x4* worldToPlane);
 
   /**
    * The baker has to be a vtkAdaptiveShadowMapBakerPass of no other pass; anything else is refused with an error.

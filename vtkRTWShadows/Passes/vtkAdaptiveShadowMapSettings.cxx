@@ -6,6 +6,7 @@
 
 #include "vtkAdaptiveShadowMapBakerPass.h"
 #include "vtkImageData.h"
+#include "vtkMatrix4x4.h"
 #include "vtkShadowMapPartition.h"
 #include "vtkShadowMapWarp.h"
 
@@ -216,6 +217,25 @@ vtkImageData* vtkAdaptiveShadowMapPass::GetWarpImage(int light, int layer)
     ? rtw::ReadWarp(my.Pipeline.GetTable(), light)
     : nullptr;
   return my.WarpImage;
+}
+
+bool vtkAdaptiveShadowMapPass::GetLightPlaneMatrix(int light, int layer, vtkMatrix4x4* worldToPlane)
+{
+  Internals& my = *this->Shadows;
+  if (!worldToPlane || !my.Has(light) || layer != 0 || !my.MakeCurrent())
+  {
+    return false;
+  }
+  const glm::dmat4 matrix =
+    my.Pipeline.GetFrames()[light].WorldToFocus(my.Pipeline.GetTable().ReadFocus(light));
+  for (int row = 0; row < 4; ++row)
+  {
+    for (int column = 0; column < 4; ++column)
+    {
+      worldToPlane->SetElement(row, column, matrix[column][row]);
+    }
+  }
+  return true;
 }
 
 void vtkAdaptiveShadowMapPass::PrintSelf(ostream& os, vtkIndent indent)

@@ -71,6 +71,20 @@ void WarpTable::Bind(const Program& program) const
   program.Set("rtwBendLevels", this->BendLevels);
 }
 
+Rectangle WarpTable::ReadFocus(int layer) const
+{
+  const std::vector<float> table = this->Read();
+  const std::size_t row = 2 * std::size_t(this->GetRowLength());
+  Rectangle focus;
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const float* values = &table[(RowsPerLayer * layer + axis) * row + 2 * this->Cells];
+    focus.Low[axis] = values[0];
+    focus.High[axis] = focus.Low[axis] + 1 / double(values[1]);
+  }
+  return focus;
+}
+
 std::vector<float> WarpTable::Read() const
 {
   const std::size_t elements = std::size_t(this->Rows) * this->GetRowLength();

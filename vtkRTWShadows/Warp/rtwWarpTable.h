@@ -39,6 +39,8 @@ public:
   int GetResolution() const { return this->Resolution; }
   int GetBendLevels() const { return this->BendLevels; }
   std::size_t GetMemory() const { return this->Table.GetMemory() + this->Bends.GetMemory(); }
+  /// A layer's focus, as the GPU has it. Waits for the GPU.
+  Rectangle ReadFocus(int layer) const;
   /// The whole table, row by row, two floats a texel. Waits for the GPU.
   std::vector<float> Read() const;
   void Release();
