@@ -11,9 +11,10 @@ set(rtw_vtk_optional_components glew glad opengl)
 set(rtw_vtk_test_components)
 if (BUILD_TESTING OR RTW_BUILD_EXAMPLES)
   set(rtw_vtk_test_components
-    CommonSystem FiltersGeneral FiltersGeometry FiltersModeling FiltersSources IOCore IOGeometry
-    IOImage IOPLY IOXML ImagingCore InteractionStyle RenderingAnnotation RenderingFreeType
-    RenderingLOD RenderingUI RenderingVolume RenderingVolumeOpenGL2 jsoncpp vtksys)
+    ChartsCore CommonSystem FiltersGeneral FiltersGeometry FiltersModeling FiltersSources IOCore
+    IOGeometry IOImage IOPLY IOXML ImagingCore InteractionStyle RenderingAnnotation
+    RenderingContext2D RenderingContextOpenGL2 RenderingFreeType RenderingLOD RenderingUI
+    RenderingVolume RenderingVolumeOpenGL2 ViewsContext2D jsoncpp vtksys)
 endif ()
 
 set(_rtw_python_components)

@@ -2,19 +2,14 @@
 #ifndef Options_h
 #define Options_h
 
+#include "rtwCommandLine.h"
 #include "rtwScene.h"
+#include "rtwTechnique.h"
 
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
-
-/// A command line that cannot be obeyed. The message is one line.
-struct UsageError : std::runtime_error
-{
-  using std::runtime_error::runtime_error;
-};
 
 struct ViewOption
 {
@@ -22,26 +17,7 @@ struct ViewOption
   double Angle;
 };
 
-enum class Filter
-{
-  NEAREST,
-  BILINEAR
-};
-
-enum class DepthTest
-{
-  DUAL,
-  RECEIVER_PLANE,
-  CONSTANT_BIAS
-};
-
-enum class Importance
-{
-  SQRT_DEMAND,
-  PUBLISHED
-};
-
-/// What is measured. Settings that are not given stay what the technique has by itself.
+/// What is measured.
 struct Options
 {
   std::string Scene = "town"; // a name or a file
@@ -55,15 +31,11 @@ struct Options
   int Pieces = 1;
   std::string JsonFile;
   std::string OutputFolder;
-  std::optional<Filter> Filtering;
-  std::optional<DepthTest> Test;
-  std::optional<bool> Focus;
-  std::optional<Importance> ImportanceKind;
-  bool Stages = false;
+  rtw::TechniqueSettings Settings; // but for the resolution
   bool Help = false;
 };
 
-/// Throws UsageError.
+/// Throws rtw::UsageError.
 Options ParseOptions(int argc, char* argv[]);
 
 std::string HelpText();

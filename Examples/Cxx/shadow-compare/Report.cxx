@@ -34,7 +34,7 @@ std::string StageTable(const Result& result)
   {
     text = Format("\n%s %d, ms of the GPU a frame\n", result.Technique.c_str(), result.Resolution);
   }
-  for (const Stage& stage : result.Milliseconds.Stages)
+  for (const rtw::Stage& stage : result.Milliseconds.Stages)
   {
     text += Format("  %-28s %9.3f\n", stage.Name.c_str(), stage.Milliseconds);
   }
@@ -57,7 +57,7 @@ Json::Value ToJson(const Result& result)
   value["rebuilt_to_vtk"] =
     result.ToVtk > 0 ? Json::Value(result.ToVtk) : Json::Value(Json::nullValue);
   value["shadow_memory_bytes"] = Json::Int64(result.Memory);
-  for (const Stage& stage : result.Milliseconds.Stages)
+  for (const rtw::Stage& stage : result.Milliseconds.Stages)
   {
     Json::Value entry;
     entry["name"] = stage.Name;

@@ -2,52 +2,31 @@
 #ifndef View_h
 #define View_h
 
-#include "Techniques.h"
+#include "Options.h"
 
-#include <vtkNew.h>
+#include "rtwTechniqueView.h"
 
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
-
-class vtkRenderWindow;
-class vtkRenderer;
 
 /// Medians, in milliseconds.
 struct Times
 {
   double Rebuilt = 0; // a frame with shadow maps made anew
   double Still = 0;   // a frame in which nothing has changed
-  std::vector<Stage> Stages;
+  std::vector<rtw::Stage> Stages;
 };
 
-/// A window of its own that shows the scene by one technique, or without shadows.
-class View
+/// A window that shows the scene by one technique, or without shadows.
+struct View
 {
-public:
-  View(const rtw::Scene& scene, const Options& options, std::string technique, int resolution);
-  ~View();
-  View(const View&) = delete;
-  View& operator=(const View&) = delete;
+  View(
+    const rtw::Scene& scene, const Options& options, std::string technique, int resolution);
 
-  const std::string& GetTechniqueName() const { return this->Name; }
-  int GetResolution() const { return this->Resolution; }
-  Technique* GetTechnique() { return this->Shadows.get(); }
-  vtkRenderer* GetRenderer() { return this->Renderer; }
-  vtkRenderWindow* GetWindow() { return this->Window; }
-
-  void SetRebuilding(bool rebuilding);
-
-  /// Draws a frame and waits for the GPU. Returns the milliseconds it took.
-  double Render();
-
-private:
-  std::string Name;
+  std::string Technique; // empty for none
   int Resolution;
-  std::unique_ptr<Technique> Shadows; // empty for none
-  vtkNew<vtkRenderWindow> Window;
-  vtkNew<vtkRenderer> Renderer;
+  rtw::TechniqueView Window;
 };
 
 using Views = std::vector<std::unique_ptr<View>>;

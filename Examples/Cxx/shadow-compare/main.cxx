@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Compares shadow techniques on a scene: how many pixels are wrong, and how long a frame takes.
 #include "Options.h"
-#include "Pictures.h"
-#include "Progress.h"
 #include "Report.h"
 #include "View.h"
 
 #include "rtwCompare.h"
+#include "rtwPictures.h"
+#include "rtwProgress.h"
 
 #include <vtkImageData.h>
 #include <vtkLight.h>
@@ -39,7 +39,7 @@ rtw::Scene OpenScene(const Options& options)
   }
   catch (const std::runtime_error& error)
   {
-    throw UsageError(error.what());
+    throw rtw::UsageError(error.what());
   }
   if (options.Size)
   {
@@ -63,17 +63,17 @@ void CheckOutputs(const Options& options)
 {
   if (!options.OutputFolder.empty() && !vtksys::SystemTools::MakeDirectory(options.OutputFolder))
   {
-    throw UsageError("--out " + options.OutputFolder + ": the folder cannot be made");
+    throw rtw::UsageError("--out " + options.OutputFolder + ": the folder cannot be made");
   }
   if (!options.JsonFile.empty() && !std::ofstream(options.JsonFile, std::ios::app))
   {
-    throw UsageError("--json " + options.JsonFile + ": the file cannot be written");
+    throw rtw::UsageError("--json " + options.JsonFile + ": the file cannot be written");
   }
 }
 
 rtw::Truth TraceTruth(vtkRenderer* renderer, const rtw::Scene& scene, size_t& primitives)
 {
-  Progress progress("exact shadows");
+  rtw::Progress progress("exact shadows");
   rtw::ReferenceOptions options;
   options.Progress = [&progress](double share) { progress.Tell(share); };
   const rtw::ShadowReference reference(renderer, options);
@@ -90,22 +90,22 @@ std::string PicturePath(const Options& options, const rtw::Scene& scene, const s
 // The picture must be taken before the mask, which may change the props.
 Result Examine(View& view, const Options& options, const rtw::Scene& scene, const rtw::Truth& truth)
 {
-  Result result{ view.GetTechniqueName(), view.GetResolution(), {}, {}, 0 };
-  result.Memory = view.GetTechnique()->GetMemory();
-  const std::string name = view.GetTechniqueName() + "-" + std::to_string(view.GetResolution());
-  view.SetRebuilding(true);
-  view.Render();
+  Result result{ view.Technique, view.Resolution, {}, {}, 0 };
+  result.Memory = view.Window.GetTechnique()->GetMemory();
+  const std::string name = view.Technique + "-" + std::to_string(view.Resolution);
+  view.Window.SetRebuilding(true);
+  view.Window.Render();
   if (!options.OutputFolder.empty())
   {
-    WritePng(Grab(view.GetWindow()), PicturePath(options, scene, name));
+    rtw::WritePng(rtw::Grab(view.Window.GetWindow()), PicturePath(options, scene, name));
   }
-  const std::vector<unsigned char> mask = view.GetTechnique()->MakeMask();
+  const std::vector<unsigned char> mask = view.Window.GetTechnique()->MakeMask();
   result.Errors = rtw::Compare(mask, truth);
   if (!options.OutputFolder.empty())
   {
-    WritePng(
+    rtw::WritePng(
       rtw::MaskImage(mask, truth.Width, truth.Height), PicturePath(options, scene, name + "-mask"));
-    WritePng(rtw::DifferenceImage(mask, truth), PicturePath(options, scene, name + "-difference"));
+    rtw::WritePng(rtw::DifferenceImage(mask, truth), PicturePath(options, scene, name + "-difference"));
   }
   return result;
 }
@@ -136,13 +136,13 @@ Report Measure(const rtw::Scene& scene, const Options& options)
     }
   }
   Report report{ scene, 0, {}, {}, {} };
-  const rtw::Truth truth = TraceTruth(views[0]->GetRenderer(), scene, report.Primitives);
+  const rtw::Truth truth = TraceTruth(views[0]->Window.GetRenderer(), scene, report.Primitives);
   report.Truth = rtw::Compare(truth.Mask, truth);
   if (!options.OutputFolder.empty())
   {
-    WritePng(
+    rtw::WritePng(
       rtw::MaskImage(truth.Mask, truth.Width, truth.Height), PicturePath(options, scene, "truth"));
-    WritePng(Grab(views[0]->GetWindow()), PicturePath(options, scene, "none"));
+    rtw::WritePng(rtw::Grab(views[0]->Window.GetWindow()), PicturePath(options, scene, "none"));
   }
   const std::vector<Times> times = TakeTimes(views, options);
   report.Baseline = times[0];
@@ -170,8 +170,7 @@ void Run(const Options& options)
 
 int main(int argc, char* argv[])
 {
-  try
-  {
+  return rtw::RunProgram("shadow-compare", [&] {
     const Options options = ParseOptions(argc, argv);
     if (options.Help)
     {
@@ -180,15 +179,5 @@ int main(int argc, char* argv[])
     }
     Run(options);
     return 0;
-  }
-  catch (const UsageError& error)
-  {
-    std::fprintf(stderr, "shadow-compare: %s\n", error.what());
-    return 2;
-  }
-  catch (const std::exception& error)
-  {
-    std::fprintf(stderr, "shadow-compare: %s\n", error.what());
-    return 1;
-  }
+  });
 }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Progress.h"
+#include "rtwProgress.h"
 
 #include <cstdio>
 
+namespace rtw
+{
 Progress::Progress(std::string task)
   : Task(std::move(task))
   , Next(Clock::now() + std::chrono::seconds(2))
@@ -16,4 +18,5 @@ void Progress::Tell(double share)
     std::fprintf(stderr, "%s: %.0f %%\n", this->Task.c_str(), 100 * share);
     this->Next = Clock::now() + std::chrono::seconds(2);
   }
+}
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Pictures.h"
+#include "rtwPictures.h"
 
 #include <vtkImageData.h>
 #include <vtkNew.h>
@@ -9,6 +9,8 @@
 
 #include <stdexcept>
 
+namespace rtw
+{
 vtkSmartPointer<vtkImageData> Grab(vtkRenderWindow* window)
 {
   vtkNew<vtkWindowToImageFilter> grab;
@@ -30,4 +32,5 @@ void WritePng(vtkImageData* image, const std::string& path)
   {
     throw std::runtime_error(path + ": cannot be written");
   }
+}
 }

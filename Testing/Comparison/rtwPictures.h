@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef Pictures_h
-#define Pictures_h
+#ifndef rtwPictures_h
+#define rtwPictures_h
 
 #include <vtkSmartPointer.h>
 
@@ -9,10 +9,13 @@
 class vtkImageData;
 class vtkRenderWindow;
 
+namespace rtw
+{
 /// The last picture, in 8-bit RGB; nothing is rendered.
 vtkSmartPointer<vtkImageData> Grab(vtkRenderWindow* window);
 
 /// Throws std::runtime_error if the file cannot be written.
 void WritePng(vtkImageData* image, const std::string& path);
+}
 
 #endif

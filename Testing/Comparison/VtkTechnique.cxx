@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Pictures.h"
-#include "Techniques.h"
-
+#include "rtwPictures.h"
 #include "rtwReference.h"
+#include "rtwTechnique.h"
 
 #include <vtkActor.h>
 #include <vtkActorCollection.h>
@@ -10,6 +9,7 @@
 #include <vtkImageData.h>
 #include <vtkLight.h>
 #include <vtkLightCollection.h>
+#include <vtkMapper.h>
 #include <vtkNew.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
@@ -19,9 +19,11 @@
 #include <vtkShadowMapBakerPass.h>
 #include <vtkShadowMapPass.h>
 
+namespace rtw
+{
 namespace
 {
-// White where there is light, by its angle alone, so that brightness tells the shadow.
+// White where there is the first light, by its angle alone, so that brightness tells the shadow.
 void MakePlain(vtkRenderer* renderer)
 {
   vtkActorCollection* actors = renderer->GetActors();
@@ -33,6 +35,17 @@ void MakePlain(vtkRenderer* renderer)
     property->SetAmbient(0);
     property->SetDiffuse(1);
     property->SetSpecular(0);
+    if (actor->GetMapper())
+    {
+      actor->GetMapper()->ScalarVisibilityOff();
+    }
+  }
+  vtkLightCollection* lights = renderer->GetLights();
+  for (int i = 0; i < lights->GetNumberOfItems(); ++i)
+  {
+    auto* light = vtkLight::SafeDownCast(lights->GetItemAsObject(i));
+    light->SetIntensity(i == 0);
+    light->SetSwitch(i == 0);
   }
   renderer->SetBackground(0, 0, 0);
 }
@@ -78,9 +91,9 @@ public:
     const auto* full = static_cast<const unsigned char*>(without->GetScalarPointer());
     for (size_t i = 0; i < mask.size(); ++i)
     {
-      mask[i] = full[3 * i] == 0        ? rtw::MASK_AVERTED
-        : 2 * lit[3 * i] >= full[3 * i] ? rtw::MASK_LIT
-                                        : rtw::MASK_SHADOW;
+      mask[i] = full[3 * i] == 0        ? MASK_AVERTED
+        : 2 * lit[3 * i] >= full[3 * i] ? MASK_LIT
+                                        : MASK_SHADOW;
     }
     return mask;
   }
@@ -110,7 +123,8 @@ private:
 };
 }
 
-std::unique_ptr<Technique> MakeVtkTechnique(int resolution, const Options&)
+std::unique_ptr<Technique> MakeVtkTechnique(const TechniqueSettings& settings)
 {
-  return std::make_unique<VtkTechnique>(resolution);
+  return std::make_unique<VtkTechnique>(settings.Resolution);
+}
 }

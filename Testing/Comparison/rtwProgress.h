@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef Progress_h
-#define Progress_h
+#ifndef rtwProgress_h
+#define rtwProgress_h
 
 #include <chrono>
 #include <string>
 
+namespace rtw
+{
 /// Tells on stderr how far a long task is; of a short one, nothing.
 class Progress
 {
@@ -18,5 +20,6 @@ private:
   std::string Task;
   Clock::time_point Next;
 };
+}
 
 #endif

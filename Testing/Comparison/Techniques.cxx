@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Techniques.h"
+#include "rtwTechnique.h"
 
+#include <stdexcept>
+
+namespace rtw
+{
 namespace
 {
 struct Entry
 {
   const char* Name;
   const char* Description;
-  std::unique_ptr<Technique> (*Make)(int resolution, const Options& options);
+  std::unique_ptr<Technique> (*Make)(const TechniqueSettings& settings);
 };
 
+// All there are: a technique is one line here.
 const Entry ENTRIES[] = {
   { "vtk", "VTK's own vtkShadowMapPass", MakeVtkTechnique },
   { "uniform", "vtkUniformShadowMapPass, the conventional map", MakeUniformTechnique },
@@ -25,7 +30,7 @@ const Entry& Find(const std::string& name)
       return entry;
     }
   }
-  throw UsageError(name + ": there is no such technique");
+  throw std::invalid_argument(name + ": there is no such technique");
 }
 }
 
@@ -44,8 +49,8 @@ std::string TechniqueDescription(const std::string& name)
   return Find(name).Description;
 }
 
-std::unique_ptr<Technique> MakeTechnique(
-  const std::string& name, int resolution, const Options& options)
+std::unique_ptr<Technique> MakeTechnique(const std::string& name, const TechniqueSettings& settings)
 {
-  return Find(name).Make(resolution, options);
+  return Find(name).Make(settings);
+}
 }

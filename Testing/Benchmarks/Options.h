@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Options_h
+#define Options_h
+
+#include "rtwCommandLine.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+/// What is measured, and for how long.
+struct Options
+{
+  bool Quick = false;
+  std::vector<std::string> Families;   // all if empty
+  std::vector<std::string> Scenes;     // of the family "maps"; its own if empty
+  std::vector<std::string> Techniques; // all if empty
+  std::vector<int> Resolutions;        // of the family "maps"; its own if empty
+  std::pair<int, int> Size{ 0, 0 };    // of the picture; 0 for 512 x 512, or 256 x 256 if quick
+  double Minutes = 0;                  // aimed at; 0 for 17, or 2.4 if quick
+  int Frames = 60;                     // of a lap along the path, at most
+  int Laps = 3;                        // the benchmark's repetitions
+  int ErrorViews = 2;                  // positions on the path where pixels are compared
+  std::string Filter;
+  std::string OutputFile;
+  std::string Fault; // none if empty
+  bool List = false;
+  bool Help = false;
+};
+
+/// Throws rtw::UsageError.
+Options ParseOptions(int argc, char* argv[]);
+
+std::string HelpText();
+
+#endif

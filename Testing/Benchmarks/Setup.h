@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Setup_h
+#define Setup_h
+
+#include "Options.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+/// What changes from frame to frame.
+enum class Motion
+{
+  CAMERA,
+  NOTHING,
+  LIGHT,
+  ACTOR
+};
+
+/// What all techniques are measured on, beside each other.
+struct Setup
+{
+  std::string Family;
+  std::string Variable; // what differs within the family besides the map, as it stands in names
+  std::string Scene = "town";
+  int Resolution = 1024; // texels a side of a shadow map
+  int Width = 512;
+  int Height = 512;
+  std::size_t Triangles = 0; // about; 0 for as many as the scene has by itself
+  int Actors = 1;            // that the scene is split into
+  int Lights = 1;
+  int Outside = 0; // copies of the scene behind the camera
+  Motion Moves = Motion::CAMERA;
+  int TinySteps = 0; // of the camera, in which shadows should not flicker
+
+  std::string Name() const;
+  /// Setups with equal contents have the same exact shadows.
+  std::string Content() const;
+};
+
+std::vector<std::string> FamilyNames();
+std::string FamilyDescription(const std::string& family);
+
+/// All that the options ask for, the heaviest last.
+std::vector<Setup> MakeSetups(const Options& options);
+
+#endif

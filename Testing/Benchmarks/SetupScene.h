@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SetupScene_h
+#define SetupScene_h
+
+#include "Setup.h"
+
+#include "rtwScene.h"
+
+#include <vtkActor.h>
+#include <vtkLight.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+
+#include <memory>
+#include <vector>
+
+/// Makes the scene of a setup. The last one is kept, since the next setup often wants it again.
+std::shared_ptr<const rtw::Scene> SceneOf(const Setup& setup);
+
+/// Puts it into a renderer: the scene, copies behind the camera, more lights.
+void Populate(const Setup& setup, const rtw::Scene& scene, vtkRenderer* renderer);
+
+/// Moves what the setup moves to where it is at `t`, 0 to 1, of its way.
+class Mover
+{
+public:
+  Mover(const Setup& setup, std::shared_ptr<const rtw::Scene> scene, vtkRenderer* renderer);
+  void MoveTo(double t);
+
+private:
+  Motion Moves;
+  std::shared_ptr<const rtw::Scene> Scene;
+  vtkRenderer* Renderer;
+  vtkSmartPointer<vtkActor> Actor;
+  double Start[3];
+  double Reach;
+};
+
+#endif

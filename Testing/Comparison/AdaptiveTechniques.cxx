@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rtwAdaptiveTechnique.h"
+
+#include "rtwCompare.h"
+#include "rtwMapTexels.h"
+
+#include <vtkImageData.h>
+#include <vtkRenderer.h>
+#include <vtkRTWShadowMapPass.h>
+#include <vtkUniformShadowMapPass.h>
+
+namespace rtw
+{
+namespace
+{
+int ToDepthTest(DepthTest test)
+{
+  switch (test)
+  {
+    case DepthTest::RECEIVER_PLANE:
+      return vtkAdaptiveShadowMapPass::RECEIVER_PLANE;
+    case DepthTest::CONSTANT_BIAS:
+      return vtkAdaptiveShadowMapPass::CONSTANT_BIAS;
+    default:
+      return vtkAdaptiveShadowMapPass::DUAL;
+  }
+}
+
+void Configure(vtkAdaptiveShadowMapPass* pass, const TechniqueSettings& settings)
+{
+  pass->SetResolution(unsigned(settings.Resolution));
+  pass->SetTimeStages(settings.Stages);
+  if (settings.Filtering)
+  {
+    pass->SetFilter(*settings.Filtering == Filter::NEAREST ? vtkAdaptiveShadowMapPass::NEAREST
+                                                           : vtkAdaptiveShadowMapPass::BILINEAR);
+  }
+  if (settings.Test)
+  {
+    pass->SetDepthTest(ToDepthTest(*settings.Test));
+  }
+  if (settings.Focus)
+  {
+    pass->SetFocusOnView(*settings.Focus);
+  }
+}
+}
+
+AdaptiveTechnique::AdaptiveTechnique(
+  vtkAdaptiveShadowMapPass* pass, const TechniqueSettings& settings)
+  : Shadows(pass)
+{
+  Configure(pass, settings);
+  this->Steps->SetShadowMapPass(pass);
+}
+
+void AdaptiveTechnique::Install(vtkRenderer* renderer)
+{
+  this->Renderer = renderer;
+  renderer->SetPass(this->Steps);
+}
+
+std::vector<unsigned char> AdaptiveTechnique::MakeMask()
+{
+  if (vtkImageData* mask = this->Shadows->GetShadowMask(0))
+  {
+    return MaskOf(mask);
+  }
+  // It makes no shadows of such a light.
+  const int* size = this->Renderer->GetSize();
+  return std::vector<unsigned char>(size_t(size[0]) * size[1], MASK_LIT);
+}
+
+TexelFunction AdaptiveTechnique::GetTexels()
+{
+  return TexelsOf(this->Shadows, 0);
+}
+
+std::vector<Stage> AdaptiveTechnique::GetStages()
+{
+  std::vector<Stage> stages;
+  for (int i = 0; i < this->Shadows->GetNumberOfStages(); ++i)
+  {
+    stages.push_back({ this->Shadows->GetStageName(i), this->Shadows->GetStageMilliseconds(i) });
+  }
+  return stages;
+}
+
+void AdaptiveTechnique::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Steps->ReleaseGraphicsResources(window);
+}
+
+std::unique_ptr<Technique> MakeUniformTechnique(const TechniqueSettings& settings)
+{
+  vtkNew<vtkUniformShadowMapPass> pass;
+  return std::make_unique<AdaptiveTechnique>(pass, settings);
+}
+
+std::unique_ptr<Technique> MakeRTWTechnique(const TechniqueSettings& settings)
+{
+  vtkNew<vtkRTWShadowMapPass> pass;
+  if (settings.ImportanceKind)
+  {
+    pass->SetImportance(*settings.ImportanceKind == Importance::SQRT_DEMAND
+        ? vtkRTWShadowMapPass::SQRT_DEMAND
+        : vtkRTWShadowMapPass::DESIRED_VIEW | vtkRTWShadowMapPass::DISTANCE_TO_EYE |
+          vtkRTWShadowMapPass::SURFACE_NORMAL);
+  }
+  return std::make_unique<AdaptiveTechnique>(pass, settings);
+}
+}

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef rtwTechnique_h
+#define rtwTechnique_h
+
+#include "rtwAliasing.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+class vtkRenderer;
+class vtkWindow;
+
+namespace rtw
+{
+enum class Filter
+{
+  NEAREST,
+  BILINEAR
+};
+
+enum class DepthTest
+{
+  DUAL,
+  RECEIVER_PLANE,
+  CONSTANT_BIAS
+};
+
+enum class Importance
+{
+  SQRT_DEMAND,
+  PUBLISHED
+};
+
+/// Settings that are not given stay what the technique has by itself.
+struct TechniqueSettings
+{
+  int Resolution = 1024; // texels a side of a shadow map
+  std::optional<Filter> Filtering;
+  std::optional<DepthTest> Test;
+  std::optional<bool> Focus;
+  std::optional<Importance> ImportanceKind;
+  bool Stages = false; // whether to time the stages on the GPU
+};
+
+struct Stage
+{
+  std::string Name;
+  double Milliseconds;
+};
+
+/// One way to make shadows, for one renderer.
+class Technique
+{
+public:
+  virtual ~Technique() = default;
+
+  virtual void Install(vtkRenderer* renderer) = 0;
+
+  /// Whether each frame from now on makes its shadow maps anew.
+  virtual void SetRebuilding(bool rebuilding) = 0;
+
+  /// To be called before and after each frame; what they do is part of its time.
+  virtual void PrepareFrame() {}
+  virtual void FinishFrame() {}
+
+  /// The shadow of the first light on each pixel of a renderer that has drawn a frame: see
+  /// rtw::MaskValue. It may leave the renderer's props in another state, so it comes last.
+  virtual std::vector<unsigned char> MakeMask() = 0;
+
+  /// Where points lie on the first light's map of the last frame; empty if that is not known.
+  virtual TexelFunction GetTexels() { return {}; }
+
+  /// Bytes of the shadow maps and what comes with them.
+  virtual int64_t GetMemory() = 0;
+
+  /// Of the last frame, if settings.Stages.
+  virtual std::vector<Stage> GetStages() { return {}; }
+
+  virtual void ReleaseGraphicsResources(vtkWindow* window) = 0;
+};
+
+std::vector<std::string> TechniqueNames();
+std::string TechniqueDescription(const std::string& name);
+
+/// Throws std::invalid_argument if there is no such technique.
+std::unique_ptr<Technique> MakeTechnique(
+  const std::string& name, const TechniqueSettings& settings);
+
+/// What Techniques.cxx lists.
+std::unique_ptr<Technique> MakeVtkTechnique(const TechniqueSettings& settings);
+std::unique_ptr<Technique> MakeUniformTechnique(const TechniqueSettings& settings);
+std::unique_ptr<Technique> MakeRTWTechnique(const TechniqueSettings& settings);
+}
+
+#endif
