@@ -25,13 +25,14 @@ public:
     : Whole(std::move(stage))
     , Function(this->Whole->GetShape().Function)
   {
-    const std::string right = "ivec2(cell, row)";
+    const std::string right = "rtwWarpEntry(row, cell)";
     const std::size_t at = this->Function.find(right);
     if (at == std::string::npos)
     {
       throw std::logic_error("the fault \"warp\" does not know this warp's shader any more");
     }
-    this->Function.replace(at, right.size(), "ivec2(min(cell + 1, rtwWarpSize.x - 1), row)");
+    this->Function.replace(
+      at, right.size(), "rtwWarpEntry(row, min(cell + 1, rtwWarpSize.x - 1))");
   }
 
   rtw::WarpShape GetShape() const override

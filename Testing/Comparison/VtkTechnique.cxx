@@ -9,6 +9,7 @@
 #include <vtkImageData.h>
 #include <vtkLight.h>
 #include <vtkLightCollection.h>
+#include <vtkLookupTable.h>
 #include <vtkMapper.h>
 #include <vtkNew.h>
 #include <vtkProperty.h>
@@ -23,6 +24,21 @@ namespace rtw
 {
 namespace
 {
+// VTK 9.1's sticks need scalars: they get white ones.
+void DropColours(vtkMapper* mapper)
+{
+  if (!mapper->IsA("vtkOpenGLStickMapper"))
+  {
+    mapper->ScalarVisibilityOff();
+    return;
+  }
+  vtkNew<vtkLookupTable> white;
+  white->SetNumberOfTableValues(1);
+  white->SetTableValue(0, 1, 1, 1);
+  mapper->SetColorModeToMapScalars();
+  mapper->SetLookupTable(white);
+}
+
 // White where there is the first light, by its angle alone, so that brightness tells the shadow.
 void MakePlain(vtkRenderer* renderer)
 {
@@ -37,7 +53,7 @@ void MakePlain(vtkRenderer* renderer)
     property->SetSpecular(0);
     if (actor->GetMapper())
     {
-      actor->GetMapper()->ScalarVisibilityOff();
+      DropColours(actor->GetMapper());
     }
   }
   vtkLightCollection* lights = renderer->GetLights();

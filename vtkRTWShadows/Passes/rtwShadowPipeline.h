@@ -87,11 +87,11 @@ public:
   /// To the largest map that the GPU allows.
   int ClampResolution(unsigned int resolution) const;
   StageTimers& GetTimers() { return this->Timers; }
-  /// The mask of the last frame; made now, where the picture didn't need it.
   /// By how many layers those of casters that mappers draw lie behind the lights' own; 0 where they share them.
   int GetOtherLayers() const { return this->OtherLayers; }
   /// Whether such layers are needed for a scene.
   int CountOtherLayers(const FrameScene& scene, std::size_t lights) const;
+  /// The mask of the last frame; made now, where the picture didn't need it.
   const Texture& GetMask(const PipelineOptions& options, const std::function<void()>& mapperSamples);
   const Statistics& GetStatistics() const { return this->Counted; }
   CasterCounts ReadCasterCounts(int layer) const { return this->Casters.ReadCounts(layer); }

@@ -1,12 +1,12 @@
-# A warp that is one cell off, a bias that is too large and a frame that takes 30 % longer are each
-# noticed, each by its own measure; the same build is not.
+# A warp that is one cell off and a bias that is too large are each noticed. That a slower frame is, TestReport.cmake shows with recorded
+# times: those of a test are whatever else the machine does.
 file(REMOVE_RECURSE "${FOLDER}")
 file(MAKE_DIRECTORY "${FOLDER}")
 
 function (measure name)
   execute_process(
     COMMAND "${BENCHMARK}" --family maps --scene robot --resolution 512 --technique rtw
-      --size 192x192 --frames 12 --laps 5 --minutes 1 --benchmark_out "${FOLDER}/${name}.json"
+      --size 192x192 --frames 4 --laps 2 --minutes 1 --benchmark_out "${FOLDER}/${name}.json"
       ${ARGN}
     RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE error)
   if (NOT code STREQUAL "0" OR NOT error STREQUAL "")
@@ -27,9 +27,8 @@ function (expect name expected text)
 endfunction ()
 
 measure(good)
-foreach (fault IN ITEMS warp bias slow)
+foreach (fault IN ITEMS warp bias)
   measure(${fault} --fault ${fault})
 endforeach ()
 expect(warp 3 "less accurate.*technique:rtw: [0-9]+ instead of [0-9]+ wrong pixels")
 expect(bias 3 "less accurate.*technique:rtw: [0-9]+ instead of [0-9]+ wrong pixels")
-expect(slow 3 "slower.*technique:rtw: [0-9.]+ instead of [0-9.]+ times VTK's own pass")

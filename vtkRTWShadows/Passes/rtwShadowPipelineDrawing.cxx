@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a frame draws: view samples, the analysis of them, the layers, and the mask.
+#include "rtwShadowPipeline.h"
+
+#include "rtwStateGuard.h"
+
+#include "vtkOpenGLRenderWindow.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace rtw
+{
+std::vector<Rectangle> ShadowPipeline::UnsampledReceivers(const FrameScene& scene) const
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::vector<Rectangle> result;
+  for (const LightFrame& frame : this->Frames)
+  {
+    Rectangle bounds{ glm::dvec2(infinity), glm::dvec2(-infinity) };
+    for (const glm::dvec3& corner : scene.UnsampledReceivers)
+    {
+      const glm::dvec2 l = frame.Project(corner);
+      // Behind a spot: no light falls there, but the box may reach anywhere.
+      bounds.Low = glm::min(bounds.Low, l.x < infinity ? l : frame.Bounds.Low);
+      bounds.High = glm::max(bounds.High, l.x < infinity ? l : frame.Bounds.High);
+    }
+    bounds.Low = glm::max(bounds.Low, frame.Bounds.Low);
+    bounds.High = glm::min(bounds.High, frame.Bounds.High);
+    result.push_back(bounds);
+  }
+  return result;
+}
+
+bool ShadowPipeline::NeedsViewSamples(const PipelineOptions& options) const
+{
+  return this->OwnDrawing &&
+    (options.Masked || options.FocusOnView || this->Warp->NeedsViewSamples());
+}
+
+// From view samples to a filled warp table.
+void ShadowPipeline::Analyse(const FrameScene& scene, const PipelineOptions& options)
+{
+  std::vector<LightFrame> frames = this->Frames;
+  std::vector<Rectangle> unsampled = this->UnsampledReceivers(scene);
+  if (this->OtherLayers > 0)
+  {
+    frames.insert(frames.end(), this->Frames.begin(), this->Frames.end());
+    unsampled.insert(unsampled.end(), unsampled.begin(), unsampled.begin() + this->OtherLayers);
+  }
+  if (options.FocusOnView && this->OwnDrawing)
+  {
+    StageTimers::Scope timer(this->Timers, "focus");
+    this->Focus.Reduce(frames, unsampled, this->Sampler, options.ViewSampleStride, this->Table);
+  }
+  else
+  {
+    for (std::size_t layer = 0; layer < frames.size(); ++layer)
+    {
+      this->Table.WriteFocus(static_cast<int>(layer), frames[layer].Bounds);
+    }
+  }
+  for (int layer = 0; layer < this->OtherLayers; ++layer)
+  {
+    this->Table.WriteIdentity(static_cast<int>(this->Frames.size()) + layer);
+  }
+  if (this->OwnDrawing)
+  {
+    StageTimers::Scope timer(this->Timers, "warp");
+    this->Warp->Run(this->Frames, this->Sampler, options.ViewSampleStride, this->Table);
+  }
+}
+
+void ShadowPipeline::Draw(const FrameScene& scene, const std::vector<ShadowLight>& lights,
+  const PipelineOptions& options, const MapperDrawing& mappers)
+{
+  const int layers = static_cast<int>(lights.size());
+  this->Timers.NextFrame();
+  StateGuard guard(this->Window);
+  if (this->OwnDrawing)
+  {
+    StageTimers::Scope timer(this->Timers, "geometry");
+    this->Store.Update(scene.Parts);
+  }
+  this->MakeFrames(scene, lights);
+  this->OtherLayers = this->CountOtherLayers(scene, lights.size());
+  this->Layers.Allocate(options.Resolution, layers + this->OtherLayers);
+  this->Table.Allocate((this->OwnDrawing ? this->Warp : this->Fallback)->GetCells(),
+    options.Resolution, layers + this->OtherLayers);
+  this->HasSamples = this->HasMask = false;
+  if (this->NeedsViewSamples(options))
+  {
+    this->DrawViewSamples(guard, scene.Props.empty() ? nullptr : mappers.ViewSamples);
+  }
+  this->Analyse(scene, options);
+  for (int layer = 0; layer < layers; ++layer)
+  {
+    this->DrawLayer(guard, layer, scene, options, mappers);
+  }
+  if (options.Masked)
+  {
+    this->DrawMask(options);
+  }
+  this->Counted.ShadowMemory = static_cast<std::int64_t>(this->Layers.GetMemory() +
+    this->Table.GetMemory() + this->Sampler.GetMemory() + this->Masking.GetMask().GetMemory() +
+    this->Casters.GetMemory());
+}
+
+void ShadowPipeline::PrimeDepth(const FrameScene& scene, const PipelineOptions& options)
+{
+  if (this->HasSamples && options.Masked && scene.SamplesAreComplete)
+  {
+    StateGuard guard(this->Window);
+    this->Sampler.PrimeDepth(2e-6 * this->SceneSize);
+  }
+}
+
+void ShadowPipeline::DrawViewSamples(
+  StateGuard& guard, const std::function<void()>& mapperSamples)
+{
+  StageTimers::Scope timer(this->Timers, "view samples");
+  this->HasSamples = this->Sampler.Render(this->Viewed, this->Store, this->OwnDrawing);
+  if (mapperSamples && this->Sampler.BindTarget())
+  {
+    guard.DrawWithVTK(mapperSamples);
+  }
+}
+
+void ShadowPipeline::DrawMask(const PipelineOptions& options)
+{
+  StageTimers::Scope timer(this->Timers, "mask");
+  if (this->HasSamples && this->Masking.Build(options.Shape))
+  {
+    this->Masking.Render(
+      ReceiverLights::Make(this->Frames, this->Viewed, options.Bias, this->SceneSize),
+      this->OtherLayers, this->Sampler, this->Layers, this->Table);
+    this->HasMask = true;
+  }
+}
+
+const Texture& ShadowPipeline::GetMask(
+  const PipelineOptions& options, const std::function<void()>& mapperSamples)
+{
+  if (!this->HasMask && !this->Frames.empty())
+  {
+    StateGuard guard(this->Window);
+    if (!this->HasSamples)
+    {
+      this->DrawViewSamples(guard, mapperSamples);
+    }
+    this->DrawMask(options);
+  }
+  return this->Masking.GetMask();
+}
+
+void ShadowPipeline::DrawLayer(StateGuard& guard, int layer, const FrameScene& scene,
+  const PipelineOptions& options, const MapperDrawing& mappers)
+{
+  const LightFrame& frame = this->Frames[layer];
+  StageTimers::Scope timer(this->Timers, "light pass");
+  StateGuard::PrepareDepthDrawing(this->Can.DepthClamp);
+  if (!this->Layers.BindTarget(layer))
+  {
+    return;
+  }
+  if (this->OwnDrawing)
+  {
+    this->Casters.StartLayer(layer);
+    this->Casters.Draw(this->Store, this->Table, frame, layer, options.Casters);
+  }
+  const int others = layer + this->OtherLayers;
+  if (std::any_of(scene.Props.begin(), scene.Props.end(),
+        [](const SceneProp& prop) { return prop.Casts; }) &&
+    (others == layer || this->Layers.BindTarget(others)))
+  {
+    guard.DrawWithVTK([&] { mappers.Casters(others, frame); });
+  }
+}
+}
