@@ -168,7 +168,7 @@ void Contest::Measure(Budget& budget)
   double round = 0;
   for (int i = 0; i < WARM_UP && (i == 0 || budget.Left() > 0.7 * budget.Whole()); ++i)
   {
-    round = this->Round(places, double(i) / WARM_UP, -1);
+    round = this->Round(places, (i + 0.5) / WARM_UP, -1); // where no frame is measured
   }
   const int laps = this->Settings.Laps;
   const double left =

@@ -31,8 +31,7 @@ public:
     {
       throw std::logic_error("the fault \"warp\" does not know this warp's shader any more");
     }
-    this->Function.replace(
-      at, right.size(), "rtwWarpEntry(row, min(cell + 1, rtwWarpSize.x - 1))");
+    this->Function.replace(at, right.size(), "rtwWarpEntry(row, min(cell + 1, rtwWarpSize.x - 1))");
   }
 
   rtw::WarpShape GetShape() const override
