@@ -95,7 +95,9 @@ int Run(const ReportOptions& options)
   const std::vector<Renderer> renderers = Sort(options.Files);
   std::string index =
     "# Results\n\nBy `shadow-report`, from what `shadow-benchmark` measured; a page for "
-    "each OpenGL renderer. The tables here are at 1024 × 1024 texels, camera moving.\n\n";
+    "each OpenGL renderer. The tables here are at 1024 × 1024 texels, camera moving.\n\n"
+    "    shadow-benchmark --benchmark_out results.json\n"
+    "    shadow-report results.json --out Testing/Benchmarks\n\n";
   bool isWorse = false;
   for (const Renderer& renderer : renderers)
   {
