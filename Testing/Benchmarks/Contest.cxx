@@ -15,21 +15,7 @@
 
 namespace
 {
-constexpr int WARM_UP = 3;      // rounds, while time allows: stage times are two frames late
-constexpr int ERROR_ROUNDS = 4; // that comparing the pixels of one place takes, about
-
-rtw::ShadowErrors Sum(const rtw::ShadowErrors& a, const rtw::ShadowErrors& b)
-{
-  rtw::ShadowErrors sum = a;
-  sum.LitFacing += b.LitFacing;
-  sum.Shadowed += b.Shadowed;
-  sum.WronglyDark += b.WronglyDark;
-  sum.WronglyLit += b.WronglyLit;
-  sum.NotComparable += b.NotComparable;
-  sum.FarFromEdge += b.FarFromEdge;
-  sum.AtEdge += b.AtEdge;
-  return sum;
-}
+constexpr int ELSEWHERE = 7; // a place that is measured last if at all
 }
 
 std::vector<Contestant> MakeContestants(const Options& options)
@@ -59,6 +45,7 @@ struct Contest::Place
   Place(const Setup& setup, const std::shared_ptr<const rtw::Scene>& scene,
     const Contestant& contestant, std::unique_ptr<rtw::Technique> technique)
     : Label(contestant.Label)
+    , IsRebuilding(contestant.Rebuilding)
     , View(
         setup.Width, setup.Height,
         [&](vtkRenderer* renderer) { Populate(setup, *scene, renderer); }, std::move(technique))
@@ -68,6 +55,7 @@ struct Contest::Place
   }
 
   std::string Label;
+  bool IsRebuilding;
   rtw::TechniqueView View;
   Mover Way;
 };
@@ -95,61 +83,91 @@ std::unique_ptr<rtw::Technique> Contest::Make(const Contestant& contestant) cons
 
 // A frame of each; another begins each time. Laps below zero are to warm up. Returns the
 // milliseconds that it took.
-double Contest::Round(std::vector<std::unique_ptr<Place>>& places, double t, int lap)
+double Contest::Round(std::vector<std::unique_ptr<Place>>& places, int place, int lap)
 {
   double sum = 0;
   std::rotate(places.begin(), places.begin() + 1, places.end());
-  for (const std::unique_ptr<Place>& place : places)
+  for (const std::unique_ptr<Place>& own : places)
   {
-    place->Way.MoveTo(t);
-    const rtw::FrameTime time = place->View.Render();
+    own->Way.MoveTo(place, std::max(lap, 0));
+    const rtw::FrameTime time = own->View.Render();
     sum += time.Wall;
     if (lap < 0)
     {
       continue;
     }
-    Lap& to = this->Outcomes[place->Label].Laps[std::size_t(lap)];
+    Lap& to = this->Outcomes[own->Label].Laps[std::size_t(lap)];
     to.Wall.push_back(time.Wall);
     to.Cpu.push_back(time.Cpu);
     to.Gpu.push_back(time.Gpu);
-    for (const rtw::Stage& stage : place->View.GetStages())
+    to.Work.push_back(time.Work);
+    for (const rtw::Stage& stage : own->View.GetStages())
     {
       to.Stages[stage.Name].push_back(stage.Milliseconds);
+    }
+    const rtw::Technique* technique = own->View.GetTechnique();
+    if (technique && technique->GoesOnAfterMask())
+    {
+      this->Compare(*own, place, lap);
     }
   }
   return sum;
 }
 
-void Contest::Compare(Place& place)
+// The frame that has just been drawn with the truth, where that is known.
+void Contest::Compare(Place& own, int place, int step)
 {
-  const auto truths = TruthsOf(this->On, this->Settings.ErrorViews);
-  rtw::Technique* technique = place.View.GetTechnique();
-  Outcome& outcome = this->Outcomes[place.Label];
-  for (std::size_t i = 0; i < truths->Places.size(); ++i)
+  const auto truths = TruthsOf(this->On, this->Settings);
+  const rtw::Truth* truth = truths->Find(place, step);
+  if (!truth)
   {
-    place.Way.MoveTo(truths->Places[i]);
-    place.View.Render();
-    outcome.Memory = std::max(outcome.Memory, technique->GetMemory());
-    const rtw::TexelFunction texels = i == 0 ? technique->GetTexels() : rtw::TexelFunction();
-    if (texels)
+    return;
+  }
+  rtw::Technique* technique = own.View.GetTechnique();
+  Outcome& outcome = this->Outcomes[own.Label];
+  outcome.Memory = std::max(outcome.Memory, technique->GetMemory());
+  const rtw::TexelFunction texels =
+    place == 0 && step == 0 ? technique->GetTexels() : rtw::TexelFunction();
+  if (texels)
+  {
+    outcome.Aliasing = rtw::Summarize(rtw::AliasingErrors(truths->Samples, texels));
+  }
+  const std::vector<unsigned char> mask = technique->MakeMask();
+  outcome.Errors += rtw::Compare(mask, *truth);
+  if (this->On.Flickers)
+  {
+    if (step == 0)
     {
-      outcome.Aliasing = rtw::Summarize(rtw::AliasingErrors(truths->Samples, texels));
+      outcome.Flickering.StartAnew();
     }
-    outcome.Errors = Sum(outcome.Errors, rtw::Compare(technique->MakeMask(), truths->Views[i]));
+    outcome.Flickering.Add(mask, *truth);
   }
 }
 
-void Contest::CompareSteps(Place& place)
+// Whose masks spoil the scene have them when all is measured. Kept maps do not flicker.
+void Contest::CompareLate(Place& own)
 {
-  const auto truths = TruthsOf(this->On, this->Settings.ErrorViews);
-  const auto scene = SceneOf(this->On);
-  for (std::size_t i = 0; i < truths->Steps.size(); ++i)
+  const auto truths = TruthsOf(this->On, this->Settings);
+  for (int place = 0; truths->Find(place, 0); ++place)
   {
-    rtw::Apply(rtw::CameraOnTinyPath(*scene, int(i)), place.View.GetRenderer()->GetActiveCamera());
-    place.View.Render();
-    this->Outcomes[place.Label].Flickering.Add(
-      place.View.GetTechnique()->MakeMask(), truths->Steps[i]);
+    for (int step = 0; truths->Find(place, step) && (step == 0 || own.IsRebuilding); ++step)
+    {
+      own.Way.MoveTo(place, step);
+      this->Compare(own, place, step);
+    }
   }
+}
+
+// As many places as there is time for, but twice as many each time, so that another run of the same
+// has them too.
+int Contest::NumberOfPlaces(double round, double left) const
+{
+  int places = this->Settings.ErrorViews;
+  while (2 * places <= this->Settings.Frames && 2 * places * this->Settings.Laps * round < left)
+  {
+    places *= 2;
+  }
+  return places;
 }
 
 void Contest::Measure(Budget& budget)
@@ -157,7 +175,7 @@ void Contest::Measure(Budget& budget)
   budget.StartTask();
   const auto scene = SceneOf(this->On);
   this->Triangles = std::size_t(1 + this->On.Outside) * rtw::NumberOfTriangles(*scene);
-  const auto truths = TruthsOf(this->On, this->Settings.ErrorViews);
+  TruthsOf(this->On, this->Settings); // before the time of frames is reckoned
   std::vector<std::unique_ptr<Place>> places;
   for (const Contestant& contestant : this->Who)
   {
@@ -165,30 +183,21 @@ void Contest::Measure(Budget& budget)
     places.push_back(std::make_unique<Place>(this->On, scene, contestant, this->Make(contestant)));
   }
   this->Actors = places.front()->View.GetRenderer()->GetActors()->GetNumberOfItems();
-  double round = 0;
-  for (int i = 0; i < WARM_UP && (i == 0 || budget.Left() > 0.7 * budget.Whole()); ++i)
+  const double round = this->Round(places, ELSEWHERE, -1);
+  const int number = this->NumberOfPlaces(round, budget.Left());
+  for (int place = 0; place < number; ++place)
   {
-    round = this->Round(places, (i + 0.5) / WARM_UP, -1); // where no frame is measured
-  }
-  const int laps = this->Settings.Laps;
-  const double left =
-    budget.Left() - ERROR_ROUNDS * round * double(truths->Places.size() + truths->Steps.size());
-  const int frames =
-    int(std::clamp(left / (laps * std::max(round, 1e-3)), 1.0, double(this->Settings.Frames)));
-  for (int lap = 0; lap < laps; ++lap)
-  {
-    for (int i = 0; i < frames; ++i)
+    for (int lap = 0; lap < this->Settings.Laps; ++lap)
     {
-      // Laps are shifted, so that no two frames are alike.
-      this->Round(places, (i + double(lap) / laps) / frames, lap);
+      this->Round(places, place, lap);
     }
   }
   for (const std::unique_ptr<Place>& place : places)
   {
-    if (place->View.GetTechnique())
+    const rtw::Technique* technique = place->View.GetTechnique();
+    if (technique && !technique->GoesOnAfterMask())
     {
-      this->Compare(*place);
-      this->CompareSteps(*place);
+      this->CompareLate(*place);
     }
   }
 }

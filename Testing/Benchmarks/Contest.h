@@ -32,10 +32,11 @@ std::vector<Contestant> MakeContestants(const Options& options);
 
 std::string LineName(const Setup& setup, const Contestant& contestant);
 
-/// What a lap took, frame by frame, in milliseconds.
+/// What a lap took, frame by frame, in milliseconds; see rtw::FrameTime. Laps differ by a tiny
+/// step.
 struct Lap
 {
-  std::vector<double> Wall, Cpu, Gpu;
+  std::vector<double> Wall, Cpu, Gpu, Work;
   std::map<std::string, std::vector<double>> Stages;
 };
 
@@ -69,9 +70,10 @@ private:
   struct Place; // a contestant's window
 
   std::unique_ptr<rtw::Technique> Make(const Contestant& contestant) const;
-  double Round(std::vector<std::unique_ptr<Place>>& places, double t, int lap);
-  void Compare(Place& place);
-  void CompareSteps(Place& place);
+  double Round(std::vector<std::unique_ptr<Place>>& places, int place, int lap);
+  void Compare(Place& own, int place, int step);
+  void CompareLate(Place& own);
+  int NumberOfPlaces(double round, double left) const;
 
   Setup On;
   std::vector<Contestant> Who;

@@ -10,19 +10,14 @@
 #include <algorithm>
 #include <iterator>
 #include <memory>
+#include <numeric>
 #include <regex>
 
 namespace
 {
-// Of frames that followed each other immediately, so that the machine's moods cancel out.
-double MedianRatio(const std::vector<double>& times, const std::vector<double>& others)
+double Total(const std::vector<double>& times)
 {
-  std::vector<double> ratios;
-  for (std::size_t i = 0; i < times.size(); ++i)
-  {
-    ratios.push_back(times[i] / others[i]);
-  }
-  return rtw::Median(ratios);
+  return std::accumulate(times.begin(), times.end(), 0.0);
 }
 
 void CountLap(const Contest& contest, const std::string& label, std::size_t lap,
@@ -33,8 +28,9 @@ void CountLap(const Contest& contest, const std::string& label, std::size_t lap,
   counters["p95_ms"] = rtw::Quantile(mine.Wall, 0.95);
   counters["cpu_ms"] = rtw::Median(mine.Cpu);
   counters["gpu_ms"] = rtw::Median(mine.Gpu);
-  counters["to_vtk"] = MedianRatio(mine.Wall, contest.GetOutcome(YARDSTICK).Laps[lap].Wall);
-  counters["to_none"] = MedianRatio(mine.Wall, contest.GetOutcome("none").Laps[lap].Wall);
+  counters["work_ms"] = rtw::Median(mine.Work);
+  counters["to_vtk"] = Total(mine.Work) / Total(contest.GetOutcome(YARDSTICK).Laps[lap].Work);
+  counters["to_none"] = Total(mine.Work) / Total(contest.GetOutcome("none").Laps[lap].Work);
   for (const auto& [stage, times] : mine.Stages)
   {
     counters["gpu_ms:" + stage] = rtw::Median(times);
@@ -50,7 +46,11 @@ void CountErrors(const Outcome& outcome, benchmark::UserCounters& counters)
   counters["wrongly_dark_percent"] = errors.Percent(errors.WronglyDark);
   counters["wrongly_lit_percent"] = errors.Percent(errors.WronglyLit);
   counters["far_percent"] = errors.Percent(errors.FarFromEdge);
-  counters["near_percent"] = errors.Percent(errors.Wrong() - errors.FarFromEdge);
+  counters["far_dark_percent"] = errors.Percent(errors.DarkFarFromEdge);
+  counters["far_lit_percent"] = errors.Percent(errors.LitFarFromEdge());
+  counters["near_percent"] = errors.Percent(errors.NearEdge());
+  counters["near_dark_percent"] = errors.Percent(errors.DarkNearEdge());
+  counters["near_lit_percent"] = errors.Percent(errors.LitNearEdge());
   counters["undecided_percent"] = errors.Percent(errors.NotComparable);
   counters["memory_bytes"] = double(outcome.Memory);
   if (outcome.Aliasing.Pixels > 0)

@@ -48,15 +48,16 @@ std::vector<rtw::CommandLineOption> Entries(Options& options)
       } },
     { "--size", "WxH", "of the picture in pixels; default 512x512, quick 256x256",
       [&](const std::string& value) { options.Size = ReadSize("--size", value); } },
-    { "--minutes", "M", "to take in all, as nearly as possible; default 15, quick 2.4",
+    { "--minutes", "M", "to take in all, as nearly as possible; default 17, quick 2.4",
       [&](const std::string& value) {
         options.Minutes = ReadNumber("--minutes", value, 0.01, 10000);
       } },
-    { "--frames", "N", "along the path at most, where there is time; default 60",
+    { "--frames", "N", "places along the path at most, where there is time; default 60",
       [&](const std::string& value) { options.Frames = ReadWhole("--frames", value, 1, 100000); } },
-    { "--laps", "N", "along the path, which tell the noise; default 3",
+    { "--laps", "N",
+      "frames a tiny step apart at each place, which tell noise and flicker; default 3",
       [&](const std::string& value) { options.Laps = ReadWhole("--laps", value, 1, 1000); } },
-    { "--error-views", "N", "on the path, whose pixels are compared; default 2",
+    { "--error-views", "N", "places on the path, whose pixels are compared; default 2",
       [&](const std::string& value) {
         options.ErrorViews = ReadWhole("--error-views", value, 1, 1000);
       } },
@@ -87,7 +88,7 @@ Options ParseOptions(int argc, char* argv[])
   }
   if (options.Minutes == 0)
   {
-    options.Minutes = options.Quick ? 2.4 : 15;
+    options.Minutes = options.Quick ? 2.4 : 17;
   }
   return options;
 }

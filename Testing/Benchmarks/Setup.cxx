@@ -42,7 +42,7 @@ Setups Maps(const Options& options)
       Setup setup = Start("maps", options);
       setup.Scene = scene;
       setup.Resolution = resolution;
-      setup.TinySteps = options.Quick ? 0 : 4;
+      setup.Flickers = !options.Quick;
       setups.push_back(setup);
     }
   }
@@ -169,7 +169,7 @@ std::string Setup::Content() const
   std::string text = this->Scene;
   for (const std::size_t number : { std::size_t(this->Width), std::size_t(this->Height),
          this->Triangles, std::size_t(this->Actors), std::size_t(this->Lights),
-         std::size_t(this->Outside), std::size_t(this->TinySteps) })
+         std::size_t(this->Outside), std::size_t(this->Flickers) })
   {
     text += " " + std::to_string(number);
   }

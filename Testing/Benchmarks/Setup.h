@@ -31,7 +31,7 @@ struct Setup
   int Lights = 1;
   int Outside = 0; // copies of the scene behind the camera
   Motion Moves = Motion::CAMERA;
-  int TinySteps = 0; // of the camera, in which shadows should not flicker
+  bool Flickers = false; // whether it is told how much shadows flicker
 
   std::string Name() const;
   /// Setups with equal contents have the same exact shadows.

@@ -17,7 +17,8 @@
 
 namespace
 {
-constexpr int ABREAST = 4; // copies beside each other
+constexpr int ABREAST = 4;         // copies beside each other
+constexpr double TINY = 1.0 / 600; // of the way of lights and actors
 
 rtw::Scene Make(const Setup& setup)
 {
@@ -86,6 +87,17 @@ std::shared_ptr<const rtw::Scene> SceneOf(const Setup& setup)
   return last;
 }
 
+// Van der Corput's sequence, off the way's ends, where cameras and lights have their best places.
+double PlaceOnWay(int i)
+{
+  double t = 0.125;
+  for (double digit = 0.5; i > 0; i /= 2, digit /= 2)
+  {
+    t += (i % 2) * digit;
+  }
+  return t - std::floor(t);
+}
+
 void Populate(const Setup& setup, const rtw::Scene& scene, vtkRenderer* renderer)
 {
   rtw::AddToRenderer(scene, renderer, setup.Actors);
@@ -104,12 +116,14 @@ Mover::Mover(const Setup& setup, std::shared_ptr<const rtw::Scene> scene, vtkRen
   this->Reach = 0.02 * glm::length(bounds.High - bounds.Low);
 }
 
-void Mover::MoveTo(double t)
+void Mover::MoveTo(int place, int step)
 {
+  const double start = PlaceOnWay(place), t = start + step * TINY;
   switch (this->Moves)
   {
     case Motion::CAMERA:
-      rtw::Apply(rtw::CameraOnPath(*this->Scene, t), this->Renderer->GetActiveCamera());
+      rtw::Apply(
+        rtw::CameraOnTinyPath(*this->Scene, step, start), this->Renderer->GetActiveCamera());
       break;
     case Motion::LIGHT:
       rtw::Apply(rtw::LightOnPath(*this->Scene, t), *this->Scene,

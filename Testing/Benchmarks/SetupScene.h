@@ -20,12 +20,16 @@ std::shared_ptr<const rtw::Scene> SceneOf(const Setup& setup);
 /// Puts it into a renderer: the scene, copies behind the camera, more lights.
 void Populate(const Setup& setup, const rtw::Scene& scene, vtkRenderer* renderer);
 
-/// Moves what the setup moves to where it is at `t`, 0 to 1, of its way.
+/// Where on a setup's way, 0 to 1, its frames are: as many as one likes, spread evenly, and the
+/// first of them the same however many there are.
+double PlaceOnWay(int i);
+
+/// Moves what the setup moves to a place on its way, and from there by tiny steps.
 class Mover
 {
 public:
   Mover(const Setup& setup, std::shared_ptr<const rtw::Scene> scene, vtkRenderer* renderer);
-  void MoveTo(double t);
+  void MoveTo(int place, int step);
 
 private:
   Motion Moves;

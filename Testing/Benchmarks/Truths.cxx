@@ -12,7 +12,7 @@
 
 namespace
 {
-Truths Trace(const Setup& setup, int views)
+Truths Trace(const Setup& setup, int views, int steps)
 {
   const auto scene = SceneOf(setup);
   vtkNew<vtkRenderer> renderer;
@@ -21,39 +21,46 @@ Truths Trace(const Setup& setup, int views)
   auto* light = vtkLight::SafeDownCast(renderer->GetLights()->GetItemAsObject(0));
   std::optional<rtw::ShadowReference> reference;
   Truths truths;
-  for (int i = 0; i < (setup.Moves == Motion::NOTHING ? 1 : views); ++i)
+  for (int place = 0; place < views; ++place)
   {
-    // Off the way's ends, where cameras and lights have their best places.
-    truths.Places.push_back((i + 0.25) / views);
-    mover.MoveTo(truths.Places.back());
-    if (!reference || setup.Moves == Motion::ACTOR)
+    truths.Views.emplace_back();
+    for (int step = 0; step < steps; ++step)
     {
-      reference.emplace(renderer);
+      mover.MoveTo(place, step);
+      if (!reference || setup.Moves == Motion::ACTOR)
+      {
+        reference.emplace(renderer);
+      }
+      truths.Views.back().push_back(reference->Trace(light, setup.Width, setup.Height));
+      if (truths.Samples.empty())
+      {
+        truths.Samples = reference->Samples(light, setup.Width, setup.Height);
+      }
     }
-    truths.Views.push_back(reference->Trace(light, setup.Width, setup.Height));
-    if (i == 0)
-    {
-      truths.Samples = reference->Samples(light, setup.Width, setup.Height);
-    }
-  }
-  for (int i = 0; i < setup.TinySteps; ++i)
-  {
-    rtw::Apply(rtw::CameraOnTinyPath(*scene, i), renderer->GetActiveCamera());
-    truths.Steps.push_back(reference->Trace(light, setup.Width, setup.Height));
   }
   return truths;
 }
 }
 
-std::shared_ptr<const Truths> TruthsOf(const Setup& setup, int views)
+const rtw::Truth* Truths::Find(int place, int step) const
 {
+  const bool isKnown = std::size_t(place) < this->Views.size() &&
+    std::size_t(step) < this->Views[std::size_t(place)].size();
+  return isKnown ? &this->Views[std::size_t(place)][std::size_t(step)] : nullptr;
+}
+
+std::shared_ptr<const Truths> TruthsOf(const Setup& setup, const Options& options)
+{
+  const int views = setup.Moves == Motion::NOTHING ? 1 : options.ErrorViews;
+  const int steps = setup.Flickers ? options.Laps : 1;
   static std::shared_ptr<const Truths> last;
   static std::string lastKey;
-  const std::string key = setup.Content() + " " + std::to_string(views);
+  const std::string key =
+    setup.Content() + " " + std::to_string(views) + " " + std::to_string(steps);
   if (key != lastKey)
   {
     last.reset();
-    last = std::make_shared<const Truths>(Trace(setup, views));
+    last = std::make_shared<const Truths>(Trace(setup, views, steps));
     lastKey = key;
   }
   return last;

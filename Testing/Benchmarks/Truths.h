@@ -14,13 +14,14 @@ class vtkRenderer;
 /// The exact shadows of the first light where a setup's pixels are compared.
 struct Truths
 {
-  std::vector<double> Places; // on the way, 0 to 1
-  std::vector<rtw::Truth> Views;
-  std::vector<rtw::ViewSample> Samples; // of the first of them
-  std::vector<rtw::Truth> Steps;        // of the smallest moves of the camera, to see flicker
+  std::vector<std::vector<rtw::Truth>> Views; // for each place on the way, of its first steps
+  std::vector<rtw::ViewSample> Samples;       // of the first of all
+
+  /// Null if it is not known.
+  const rtw::Truth* Find(int place, int step) const;
 };
 
 /// Those of the last setup are kept, since the next may differ in nothing that matters to them.
-std::shared_ptr<const Truths> TruthsOf(const Setup& setup, int views);
+std::shared_ptr<const Truths> TruthsOf(const Setup& setup, const Options& options);
 
 #endif

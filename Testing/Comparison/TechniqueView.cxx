@@ -2,6 +2,7 @@
 #include "rtwTechniqueView.h"
 
 #include "rtwGpuClock.h"
+#include "rtwOpenGL.h"
 
 #include <vtkRenderer.h>
 #include <vtkRenderWindow.h>
@@ -9,11 +10,31 @@
 #include <chrono>
 #include <ctime>
 #include <stdexcept>
+#include <string>
 
 namespace rtw
 {
 namespace
 {
+bool RendersInSoftware()
+{
+  const auto* renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  const std::string name = renderer ? renderer : "";
+  for (const char* software : { "llvmpipe", "softpipe", "SwiftShader" })
+  {
+    if (name.find(software) != std::string::npos)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+double ProcessMilliseconds()
+{
+  return 1e3 * double(std::clock()) / CLOCKS_PER_SEC;
+}
+
 double ThreadMilliseconds()
 {
 #ifdef CLOCK_THREAD_CPUTIME_ID
@@ -21,7 +42,7 @@ double ThreadMilliseconds()
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
   return 1e3 * double(now.tv_sec) + 1e-6 * double(now.tv_nsec);
 #else
-  return 1e3 * double(std::clock()) / CLOCKS_PER_SEC;
+  return ProcessMilliseconds();
 #endif
 }
 }
@@ -45,6 +66,7 @@ TechniqueView::TechniqueView(int width, int height,
     this->Shadows->Install(this->Renderer);
   }
   this->Window->Render();
+  this->IsSoftware = RendersInSoftware();
 }
 
 TechniqueView::~TechniqueView()
@@ -71,7 +93,7 @@ FrameTime TechniqueView::Render()
   this->Window->MakeCurrent();
   this->Window->WaitForCompletion();
   GpuClock gpu;
-  const double cpu = ThreadMilliseconds();
+  const double work = ProcessMilliseconds(), cpu = ThreadMilliseconds();
   const Clock::time_point start = Clock::now();
   if (this->Shadows)
   {
@@ -87,6 +109,7 @@ FrameTime TechniqueView::Render()
   FrameTime time;
   time.Wall = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
   time.Cpu = ThreadMilliseconds() - cpu;
+  time.Work = this->IsSoftware ? ProcessMilliseconds() - work : time.Wall;
   time.Gpu = gpu.GetMilliseconds();
   return time;
 }

@@ -97,11 +97,15 @@ public:
     }
   }
 
+  bool GoesOnAfterMask() const override { return false; }
+
   // The pass gives no mask: a pixel is lit if shadows leave at least half of its light.
   std::vector<unsigned char> MakeMask() override
   {
     MakePlain(this->Renderer);
-    const auto with = this->Draw(this->Chain), without = this->Draw(nullptr);
+    const auto without = this->Draw(nullptr);
+    this->PrepareFrame();
+    const auto with = this->Draw(this->Chain);
     std::vector<unsigned char> mask(size_t(with->GetNumberOfPoints()));
     const auto* lit = static_cast<const unsigned char*>(with->GetScalarPointer());
     const auto* full = static_cast<const unsigned char*>(without->GetScalarPointer());

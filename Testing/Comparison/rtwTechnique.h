@@ -67,8 +67,11 @@ public:
   virtual void FinishFrame() {}
 
   /// The shadow of the first light on each pixel of a renderer that has drawn a frame: see
-  /// rtw::MaskValue. It may leave the renderer's props in another state, so it comes last.
+  /// rtw::MaskValue.
   virtual std::vector<unsigned char> MakeMask() = 0;
+
+  /// Whether frames after a mask may be timed: not if it leaves the props in another state.
+  virtual bool GoesOnAfterMask() const { return true; }
 
   /// Where points lie on the first light's map of the last frame; empty if that is not known.
   virtual TexelFunction GetTexels() { return {}; }

@@ -20,7 +20,10 @@ struct FrameTime
 {
   double Wall = 0; // until the GPU has finished it
   double Cpu = 0;  // of the calling thread, which prepares and submits it
-  double Gpu = 0;  // between two time stamps of the GPU; 0 if there are none
+  /// What ratios are made of: the wall time, but on software renderers, whose threads share the
+  /// processor with all else that runs, the CPU time of all threads.
+  double Work = 0;
+  double Gpu = 0; // between two time stamps of the GPU; 0 if there are none
 };
 
 /// A window of its own that shows a scene by one technique, or without shadows.
@@ -50,6 +53,7 @@ private:
   std::unique_ptr<Technique> Shadows;
   vtkNew<vtkRenderWindow> Window;
   vtkNew<vtkRenderer> Renderer;
+  bool IsSoftware = false;
 };
 }
 

@@ -76,6 +76,19 @@ void CheckSize(const std::vector<unsigned char>& mask, const Truth& truth)
 }
 }
 
+ShadowErrors& ShadowErrors::operator+=(const ShadowErrors& other)
+{
+  this->LitFacing += other.LitFacing;
+  this->Shadowed += other.Shadowed;
+  this->WronglyDark += other.WronglyDark;
+  this->WronglyLit += other.WronglyLit;
+  this->NotComparable += other.NotComparable;
+  this->FarFromEdge += other.FarFromEdge;
+  this->DarkFarFromEdge += other.DarkFarFromEdge;
+  this->AtEdge += other.AtEdge;
+  return *this;
+}
+
 ShadowErrors Compare(const std::vector<unsigned char>& mask, const Truth& truth)
 {
   CheckSize(mask, truth);

@@ -99,6 +99,25 @@ TEST(Compare, TellsDarkFromLitNearAndFar)
   EXPECT_EQ(errors.NearEdge(), 3u);
 }
 
+TEST(Compare, ErrorsAddUp)
+{
+  const rtw::Truth row = MakeTruth(10, "LLLLLSSSSS");
+  const std::vector<unsigned char> mask = { 0, 255, 255, 128, 0, 255, 255, 0, 255, 255 };
+  const rtw::ShadowErrors once = rtw::Compare(mask, row);
+  rtw::ShadowErrors thrice = once;
+  (thrice += once) += once;
+  const auto members = { &rtw::ShadowErrors::LitFacing, &rtw::ShadowErrors::Shadowed,
+    &rtw::ShadowErrors::WronglyDark, &rtw::ShadowErrors::WronglyLit,
+    &rtw::ShadowErrors::NotComparable, &rtw::ShadowErrors::FarFromEdge,
+    &rtw::ShadowErrors::DarkFarFromEdge, &rtw::ShadowErrors::AtEdge };
+  for (const auto member : members)
+  {
+    EXPECT_GT(once.*member, 0u);
+    EXPECT_EQ(thrice.*member, 3 * (once.*member));
+  }
+  static_assert(sizeof(rtw::ShadowErrors) == 8 * sizeof(size_t), "each member is named above");
+}
+
 TEST(Compare, RefusesAMaskOfAnotherSize)
 {
   EXPECT_THROW(rtw::Compare({ 255 }, MakeTruth(2, "LL")), std::invalid_argument);

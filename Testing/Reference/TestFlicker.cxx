@@ -63,6 +63,18 @@ TEST(Flicker, NoDecisionIsNoChange)
   EXPECT_EQ(flicker.Percents(), std::vector<double>({ 25 }));
 }
 
+TEST(Flicker, LeavesOutStepsBetweenPaths)
+{
+  rtw::Flicker flicker;
+  const rtw::Truth truth = MakeTruth({ LIT, LIT, DARK, DARK });
+  flicker.Add({ 255, 255, 0, 0 }, truth);
+  flicker.StartAnew();
+  flicker.Add({ 0, 0, 0, 0 }, truth);
+  EXPECT_TRUE(flicker.Percents().empty());
+  flicker.Add({ 255, 0, 0, 0 }, truth);
+  EXPECT_EQ(flicker.Percents(), std::vector<double>({ 25 }));
+}
+
 TEST(Flicker, FramesOfAnotherSizeStartAnew)
 {
   rtw::Flicker flicker;

@@ -25,6 +25,8 @@ struct ShadowErrors
   size_t DarkFarFromEdge = 0; // of those, wrongly dark
   size_t AtEdge = 0;          // pixels beside one, above or below too, that is otherwise lit
 
+  ShadowErrors& operator+=(const ShadowErrors& other);
+
   size_t Wrong() const { return this->WronglyDark + this->WronglyLit; }
   size_t LitFarFromEdge() const { return this->FarFromEdge - this->DarkFarFromEdge; }
   size_t NearEdge() const { return this->Wrong() - this->FarFromEdge; }

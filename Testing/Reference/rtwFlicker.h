@@ -19,6 +19,9 @@ public:
   /// Throws std::invalid_argument if the mask's size is not the truth's.
   void Add(const std::vector<unsigned char>& mask, const Truth& truth);
 
+  /// The next frame does not follow the one before.
+  void StartAnew() { this->LastMask.clear(); }
+
   /// Of each step from frame to frame: the share, in percent, of the pixels whose truth stays.
   const std::vector<double>& Percents() const { return this->Steps; }
   /// 0 before there are two frames.

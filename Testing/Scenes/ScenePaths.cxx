@@ -71,9 +71,9 @@ SceneCamera CameraOnPath(const Scene& scene, double t)
 // A slow turn, so that moves are not along pixels. What is far moves by the camera's turning, what
 // is near by its position too, which moves as far as a tenth of a pixel is wide at ten times the
 // nearest depth: about where the nearest things are.
-SceneCamera CameraOnTinyPath(const Scene& scene, int frame)
+SceneCamera CameraOnTinyPath(const Scene& scene, int frame, double t)
 {
-  SceneCamera camera = scene.Camera;
+  SceneCamera camera = CameraOnPath(scene, t);
   const dvec3 ahead = camera.Focal - camera.Position;
   const dvec3 right = glm::normalize(glm::cross(ahead, camera.Up));
   const dvec3 up = glm::normalize(glm::cross(right, ahead));

@@ -199,8 +199,13 @@ TEST_P(AllScenes, LightsMoveFromFrameToFrame)
 TEST_P(AllScenes, TinyMovesAreATenthOfAPixel)
 {
   const rtw::Scene scene = rtw::MakeScene(this->GetParam(), 0.1);
-  EXPECT_EQ(rtw::CameraOnTinyPath(scene, 0).Position, scene.Camera.Position);
-  EXPECT_LT(glm::distance(rtw::CameraOnTinyPath(scene, 0).Focal, scene.Camera.Focal), 1e-9);
+  for (const double t : { 0.0, 0.4 })
+  {
+    const rtw::SceneCamera start = rtw::CameraOnPath(scene, t);
+    const rtw::SceneCamera first = rtw::CameraOnTinyPath(scene, 0, t);
+    EXPECT_EQ(first.Position, start.Position);
+    EXPECT_LT(glm::distance(first.Focal, start.Focal), 1e-9);
+  }
   const double pixel = 2 * std::tan(glm::radians(scene.Camera.Angle / 2)) / scene.Size[1];
   for (const int frame : { 0, 1, 30, 99 })
   {

@@ -311,7 +311,9 @@ std::string WritePage(const Results& results, const std::vector<Change>& changes
     "how wide a texel is on a surface, in pixels, at the 95th percentile. Times are medians of "
     "whole frames until the GPU has finished; *× vtk*: in times of VTK's own pass with new maps "
     "for each "
-    "frame (`vtk`), measured frame by frame in turn; `vtk-kept` is VTK's pass as it is by itself, "
+    "frame (`vtk`), measured frame by frame in turn, by the CPU time of all threads where OpenGL "
+    "is "
+    "software and by whole frames elsewhere; `vtk-kept` is VTK's pass as it is by itself, "
     "`none` a frame without shadows. Where nothing else is said the picture has " +
     std::string(window) + " pixels.\n\n" + NoiseText(results);
   for (const Change& change : changes)
