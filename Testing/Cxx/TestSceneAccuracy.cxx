@@ -135,8 +135,9 @@ void TestCurvedMesh()
   std::cout << "dual " << dual.Percent(dual.Wrong()) << " %, receiver plane "
             << plane.Percent(plane.Wrong()) << " %" << std::endl;
   RTW_CHECK(3 * dual.Wrong() <= plane.Wrong());
-  // What is measured is 0.146; 0.1 is the aim.
-  TestFarFromEdges(stage, 0.16);
+  // What is measured is 0.119; 0.1 is the aim, and 0.125 what is left of exact rays through the texels' centres, by the depth test
+  // without its margin for rough surfaces.
+  TestFarFromEdges(stage, 0.13);
 }
 }
 
@@ -154,7 +155,8 @@ int TestSceneAccuracy(int, char*[])
         least += bilinear ? limit.Bilinear : limit.Nearest;
       }
     }
-    // The town measures 0.052; 0.05 is the aim there too. What is left are mostly specks on leaves and pickets.
+    // The town measures 0.053; 0.05 is the aim there too, and 0.048 what is left of exact rays through the texels' centres. They are
+    // mostly specks on leaves and pickets.
     TestFarFromEdges(stage, each.Scene == std::string("town") ? 0.06 : 0.05);
   }
   RTW_CHECK(sum <= 1.1 * least + 0.05 * 24);

@@ -20,8 +20,13 @@ vec4 rtwOnLightPlane(int light, vec3 p)
   return vec4(h.xyz * (1.0 / h.w), h.w);
 }
 
-// Both conditions are computed always: four taps with a branch each cost more than the reads that they save.
-float rtwOccluded(int layer, ivec2 texel, vec2 centre, vec3 q, vec2 gradient, float tolerance)
+// Where a texel is wide beside the triangles, a triangle's plane says little of the surface half a texel away; the difference of the
+// two planes tells how little.
+const float RTW_ROUGHNESS = 0.35;
+
+// Both conditions are computed always: four taps with a branch each cost more than the reads that they save. The occluder's slope is
+// compared with the receiver's as `rough` says.
+float rtwOccluded(int layer, ivec2 texel, vec2 centre, vec3 q, vec2 gradient, vec2 slope, float rough, float tolerance)
 {
   float depth = texelFetch(rtwDepths, ivec3(texel, layer), 0).r;
 #if RTW_DEPTH_TEST == 2
@@ -31,11 +36,20 @@ float rtwOccluded(int layer, ivec2 texel, vec2 centre, vec3 q, vec2 gradient, fl
   // Bounded, because the tangent plane of a receiver that the light grazes is steep.
   float plane = q.z - max(dot(gradient, away), -0.5);
 #if RTW_DEPTH_TEST == 0
-  vec2 slope = texelFetch(rtwGradients, ivec3(texel, layer), 0).rg;
-  return float(max(depth - plane, depth + dot(slope, away) - q.z) < -tolerance);
+  float margin = rough * dot(abs(slope - gradient), abs(away));
+  return float(max(depth - plane, depth + dot(slope, away) - q.z) < -tolerance - margin);
 #else
   return float(depth - plane < -tolerance);
 #endif
+#endif
+}
+
+vec2 rtwSlope(int layer, ivec2 texel)
+{
+#if RTW_DEPTH_TEST == 0
+  return texelFetch(rtwGradients, ivec3(texel, layer), 0).rg;
+#else
+  return vec2(0.0);
 #endif
 }
 
@@ -46,15 +60,24 @@ float rtwFiltered(int layer, vec3 q, vec2 gradient, float tolerance)
   vec2 at = rtwWarp(layer, q.xy) * float(rtwWarpSize.y);
 #if RTW_FILTER == 0
   ivec2 texel = clamp(ivec2(floor(at)), 0, last);
-  return 1.0 - rtwOccluded(layer, texel, rtwTexelCentres(layer, texel).xz, q, gradient, tolerance);
+  return 1.0 -
+    rtwOccluded(layer, texel, rtwTexelCentres(layer, texel).xz, q, gradient, rtwSlope(layer, texel), 0.0, tolerance);
 #else
   ivec2 corner = clamp(ivec2(floor(at - 0.5)), 0, last - 1);
+  ivec2 right = corner + ivec2(1, 0);
+  ivec2 above = corner + ivec2(0, 1);
   vec2 f = clamp(at - 0.5 - vec2(corner), 0.0, 1.0);
   vec4 c = rtwTexelCentres(layer, corner);
-  vec4 dark = vec4(rtwOccluded(layer, corner, c.xz, q, gradient, tolerance),
-    rtwOccluded(layer, corner + ivec2(1, 0), c.yz, q, gradient, tolerance),
-    rtwOccluded(layer, corner + ivec2(0, 1), c.xw, q, gradient, tolerance),
-    rtwOccluded(layer, corner + ivec2(1, 1), c.yw, q, gradient, tolerance));
+  vec2 a = rtwSlope(layer, corner);
+  vec2 b = rtwSlope(layer, right);
+  vec2 d = rtwSlope(layer, above);
+  vec2 e = rtwSlope(layer, corner + 1);
+  // No two neighbours see the same triangle.
+  float rough = a != b && a != d && e != b && e != d ? RTW_ROUGHNESS : 0.0;
+  vec4 dark = vec4(rtwOccluded(layer, corner, c.xz, q, gradient, a, rough, tolerance),
+    rtwOccluded(layer, right, c.yz, q, gradient, b, rough, tolerance),
+    rtwOccluded(layer, above, c.xw, q, gradient, d, rough, tolerance),
+    rtwOccluded(layer, corner + 1, c.yw, q, gradient, e, rough, tolerance));
   vec2 rows = mix(dark.xz, dark.yw, f.x);
   return 1.0 - mix(rows.x, rows.y, f.y);
 #endif
