@@ -227,8 +227,12 @@ void TestSettings()
     refused("SetFilter(-1)");
     pass->SetDepthTest(3);
     refused("SetDepthTest(3)");
-    pass->SetRasterization(1);
-    refused("SetRasterization(1)");
+    pass->SetRasterization(4);
+    refused("SetRasterization(4)");
+    pass->SetMaximumEdgeLength(NotANumber);
+    refused("SetMaximumEdgeLength(nan)");
+    pass->SetViewSampleSource(2);
+    refused("SetViewSampleSource(2)");
     pass->SetConstantBias(NotANumber);
     refused("SetConstantBias(nan)");
     pass->SetWarp(nullptr);
@@ -247,6 +251,7 @@ void TestSettings()
   }
   RTW_CHECK_EQUAL(pass->GetFilter(), int(vtkAdaptiveShadowMapPass::BILINEAR));
   RTW_CHECK_EQUAL(pass->GetDepthTest(), int(vtkAdaptiveShadowMapPass::DUAL));
+  RTW_CHECK_EQUAL(pass->GetViewSampleSource(), int(vtkAdaptiveShadowMapPass::PREPASS));
   RTW_CHECK(pass->GetWarp() != nullptr);
   RTW_CHECK(pass->GetPartition() != nullptr);
   RTW_CHECK(pass->GetShadowMapBakerPass() != nullptr);

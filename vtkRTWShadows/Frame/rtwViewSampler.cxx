@@ -6,6 +6,7 @@
 #include "rtwGeometryStore.h"
 #include "rtwOpenGL.h"
 #include "rtwPrimeDepthFS.h"
+#include "rtwResampleFS.h"
 #include "rtwScreenVS.h"
 #include "rtwStateGuard.h"
 #include "rtwViewSampleAccess.h"
@@ -22,12 +23,15 @@ bool ViewSampler::Build()
     this->Drawing.Build({ { GL_VERTEX_SHADER, { rtwViewSampleVS } },
       { GL_FRAGMENT_SHADER, { rtwViewSampleFS } } }) &&
     this->Priming.Build({ { GL_VERTEX_SHADER, { rtwScreenVS } },
-      { GL_FRAGMENT_SHADER, { rtwViewSampleAccess, rtwPrimeDepthFS } } });
+      { GL_FRAGMENT_SHADER, { rtwViewSampleAccess, rtwPrimeDepthFS } } }) &&
+    this->Resampling.Build({ { GL_VERTEX_SHADER, { rtwScreenVS } },
+      { GL_FRAGMENT_SHADER, { rtwResampleFS } } });
 }
 
 std::string ViewSampler::GetLog() const
 {
-  return this->Culling.GetLog() + this->Drawing.GetLog() + this->Priming.GetLog();
+  return this->Culling.GetLog() + this->Drawing.GetLog() + this->Priming.GetLog() +
+    this->Resampling.GetLog();
 }
 
 void ViewSampler::Cull(const GeometryStore& store, bool receiving)
@@ -47,6 +51,7 @@ void ViewSampler::Cull(const GeometryStore& store, bool receiving)
 bool ViewSampler::Render(const View& view, const GeometryStore& store, bool own)
 {
   this->Viewed = view;
+  this->Current = &this->Samples;
   this->Depth.Allocate(Format::Depth, view.Width, view.Height);
   this->Samples.Allocate(Format::Float4, view.Width, view.Height);
   if (own)
@@ -72,6 +77,28 @@ bool ViewSampler::Render(const View& view, const GeometryStore& store, bool own)
     }
     this->DrawThin(store);
   }
+  return true;
+}
+
+bool ViewSampler::Resample(const LastFrame& frame, int stride)
+{
+  this->Viewed = frame.GetView();
+  this->Viewed.Width = std::max(this->Viewed.Width / stride, 1);
+  this->Viewed.Height = std::max(this->Viewed.Height / stride, 1);
+  this->Current = &this->Resampled;
+  this->Resampled.Allocate(Format::Float4, this->Viewed.Width, this->Viewed.Height);
+  StateGuard::PrepareDepthDrawing(false);
+  if (!this->ResamplingTarget.BindColour(this->Resampled))
+  {
+    return false;
+  }
+  const glm::dvec2 toSample = DepthToSample(this->Viewed);
+  this->Resampling.Use();
+  frame.GetDepth().Bind(0);
+  this->Resampling.Set("rtwDepth", 0);
+  this->Resampling.Set("rtwStride", stride);
+  this->Resampling.Set("rtwDepthToSample", float(toSample.x), float(toSample.y));
+  this->Triangle.Draw();
   return true;
 }
 
@@ -137,7 +164,7 @@ void ViewSampler::Bind(const Program& program) const
   const glm::dvec2 scale(1 / p[0][0], 1 / p[1][1]);
   const glm::dvec2 offset = this->Viewed.Parallel ? -glm::dvec2(p[3][0], p[3][1]) * scale
                                                   : glm::dvec2(p[2][0], p[2][1]) * scale;
-  this->Samples.Bind(0);
+  this->Current->Bind(0);
   program.Set("rtwSamples", 0);
   glUniform4f(program.Location("rtwRay"), float(scale.x), float(scale.y), float(offset.x),
     float(offset.y));
@@ -148,13 +175,16 @@ void ViewSampler::Bind(const Program& program) const
 
 std::size_t ViewSampler::GetMemory() const
 {
-  return this->Depth.GetMemory() + this->Samples.GetMemory();
+  return this->Depth.GetMemory() + this->Samples.GetMemory() + this->Resampled.GetMemory();
 }
 
 void ViewSampler::Release()
 {
   this->Depth.Release();
   this->Samples.Release();
+  this->Resampled.Release();
+  this->Resampling.Release();
+  this->ResamplingTarget.Release();
   this->Target.Release();
   this->Culling.Release();
   this->Drawing.Release();
@@ -169,6 +199,9 @@ void ViewSampler::Abandon()
 {
   this->Depth.Abandon();
   this->Samples.Abandon();
+  this->Resampled.Abandon();
+  this->Resampling.Abandon();
+  this->ResamplingTarget.Abandon();
   this->Target.Abandon();
   this->Culling.Abandon();
   this->Drawing.Abandon();

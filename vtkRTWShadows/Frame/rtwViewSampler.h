@@ -6,6 +6,7 @@
 #include "rtwBuffer.h"
 #include "rtwDrawing.h"
 #include "rtwFramebuffer.h"
+#include "rtwLastFrame.h"
 #include "rtwProgram.h"
 #include "rtwTexture.h"
 #include "rtwView.h"
@@ -23,6 +24,8 @@ public:
 
   /// Draws the receivers of the store; without `own`, which Build() has to have allowed, it only clears.
   bool Render(const View& view, const GeometryStore& store, bool own);
+  /// Takes the samples from a frame that has been drawn, one for each square of so many pixels a side.
+  bool Resample(const LastFrame& frame, int stride);
   /// Makes the samples' target that of drawing again, for what VTK's mappers have to add.
   bool BindTarget();
 
@@ -32,8 +35,8 @@ public:
   /// Gives a program the samples.
   void Bind(const Program& program) const;
   const View& GetView() const { return this->Viewed; }
-  int GetWidth() const { return this->Samples.GetWidth(); }
-  int GetHeight() const { return this->Samples.GetHeight(); }
+  int GetWidth() const { return this->Current->GetWidth(); }
+  int GetHeight() const { return this->Current->GetHeight(); }
   /// How a mapper's window-space depth becomes what a sample holds of it: scale and offset.
   static glm::dvec2 DepthToSample(const View& view);
   /// From pixel to pixel in view coordinates at distance 1 (anywhere in a parallel view), and there depth a unit.
@@ -48,9 +51,10 @@ private:
   void DrawThin(const GeometryStore& store);
 
   View Viewed;
-  Texture Depth, Samples;
-  Framebuffer Target;
-  Program Culling, Drawing, Priming;
+  Texture Depth, Samples, Resampled;
+  const Texture* Current = &Samples;
+  Framebuffer Target, ResamplingTarget;
+  Program Culling, Drawing, Priming, Resampling;
   Buffer Matrices, Commands;
   MeshArray Array;
   ScreenTriangle Triangle;

@@ -23,6 +23,7 @@ Capabilities Capabilities::Query()
   }
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &found.MaximumTextureSize);
   glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &found.MaximumLayers);
+  glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &found.MaximumTexels);
   return found;
 }
 }

@@ -12,6 +12,7 @@ struct Capabilities
   bool DepthClamp = false; ///< OpenGL 3.2
   int MaximumTextureSize = 0;
   int MaximumLayers = 0;
+  int MaximumTexels = 0; ///< of a buffer texture
 
   /// Of the context that is current.
   static Capabilities Query();

@@ -71,6 +71,18 @@ void Texture::Allocate(Format format, int width, int height, int layers)
   glBindTexture(target, 0);
 }
 
+void Texture::CopyFromTarget(int x, int y) const
+{
+  GLint target = 0, source = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
+  glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &source);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(target));
+  glBindTexture(GL_TEXTURE_2D, this->Id);
+  glCopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, x, y, this->Width, this->Height);
+  glBindTexture(GL_TEXTURE_2D, 0);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(source));
+}
+
 void Texture::Bind(int unit) const
 {
   glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));

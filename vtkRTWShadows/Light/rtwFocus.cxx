@@ -19,7 +19,6 @@ namespace rtw
 {
 namespace
 {
-constexpr float Margin = 1e-4f; // of the focus' extent, for rounding
 constexpr int Tile = 64;        // as in rtwFocusReduction.glsl
 
 // An order that floats and unsigned integers share, as in the shader.
@@ -52,7 +51,7 @@ const std::string& FocusStage::GetLog() const
 }
 
 void FocusStage::Reduce(const std::vector<LightFrame>& frames, const std::vector<Rectangle>& also,
-  const ViewSampler& samples, int stride, const WarpTable& table)
+  const ViewSampler& samples, int stride, float margin, const WarpTable& table)
 {
   std::vector<std::uint32_t> start;
   for (std::size_t layer = 0; layer < frames.size(); ++layer)
@@ -87,7 +86,7 @@ void FocusStage::Reduce(const std::vector<LightFrame>& frames, const std::vector
   {
     SetWholeBounds(this->Writing, frames[layer]);
     this->Writing.Set("rtwLayer", static_cast<int>(layer));
-    this->Writing.Set("rtwMargin", Margin);
+    this->Writing.Set("rtwMargin", margin);
     Dispatch(1);
   }
 }

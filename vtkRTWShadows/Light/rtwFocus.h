@@ -19,9 +19,10 @@ class FocusStage
 public:
   bool Build();
   const std::string& GetLog() const;
-  /// One frame a layer. `also` are rectangles that each layer must hold too: receivers that aren't sampled.
+  /// One frame a layer. `also` are rectangles that each layer must hold too: receivers that aren't sampled. `margin`, a share of its
+  /// extent, is added to each side.
   void Reduce(const std::vector<LightFrame>& frames, const std::vector<Rectangle>& also,
-    const ViewSampler& samples, int stride, const WarpTable& table);
+    const ViewSampler& samples, int stride, float margin, const WarpTable& table);
   void Release();
   void Abandon();
 

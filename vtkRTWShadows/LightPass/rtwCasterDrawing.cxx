@@ -3,6 +3,8 @@
 
 #include "rtwBentCasterFS.h"
 #include "rtwBentCasterVS.h"
+#include "rtwCasterGradient.h"
+#include "rtwCasterPlane.h"
 #include "rtwCasterRecords.h"
 #include "rtwCasterTriangle.h"
 #include "rtwCasterWork.h"
@@ -16,6 +18,9 @@
 #include "rtwSetUpCasters.h"
 #include "rtwStraightCasterFS.h"
 #include "rtwStraightCasterVS.h"
+#include "rtwTessellateCasters.h"
+#include "rtwTessellatedCasterFS.h"
+#include "rtwTessellatedCasterVS.h"
 #include "rtwThinCasterFS.h"
 #include "rtwThinCasterVS.h"
 #include "rtwWarpFocus.h"
@@ -40,16 +45,22 @@ constexpr int BatchSize = 128;
 constexpr std::size_t MostTriangles = MeshCluster::MaximumTriangles;
 constexpr std::size_t MostCovers = 3072; // a cluster
 // What the shaders keep of a cluster, by the rules of std430.
-constexpr std::size_t WorkBytes = 64 + 4 * MostTriangles;
+constexpr std::size_t WorkBytes = 80 + 4 * MostTriangles;
 constexpr std::size_t StraightBytes = 48 * MostTriangles;
 constexpr std::size_t BentBytes = 64 * MostTriangles;
 constexpr std::size_t CoverBytes = 32 * MostCovers;
 constexpr std::size_t BentDrawOffset = 16; // in a cluster's work
+constexpr std::size_t PatchDrawOffset = 32;
+// Of a patch, itself a triangle of so many pieces along an edge.
+constexpr int PatchSide = 8;
 
 std::string Limits()
 {
   return "const uint MOST_TRIANGLES = " + std::to_string(MostTriangles) +
-    "u;\nconst uint MOST_COVERS = " + std::to_string(MostCovers) + "u;\n";
+    "u;\nconst uint MOST_COVERS = " + std::to_string(MostCovers) +
+    "u;\nconst uint MOST_CLUSTERS = " + std::to_string(BatchSize) +
+    "u;\nconst int PATCH_SIDE = " + std::to_string(PatchSide) +
+    ";\nconst uint PATCH_VERTICES = " + std::to_string(3 * PatchSide * PatchSide) + "u;\n";
 }
 
 float NearestW(const LightFrame& frame)
@@ -58,10 +69,10 @@ float NearestW(const LightFrame& frame)
 }
 }
 
-std::array<Program*, 7> CasterDrawing::Programs()
+std::array<Program*, 8> CasterDrawing::Programs()
 {
   return { &this->Focusing, &this->Culling, &this->CullingTriangles, &this->SettingUp,
-    &this->Straight, &this->Bent, &this->Thin };
+    &this->Straight, &this->Bent, &this->Patches, &this->Thin };
 }
 
 std::array<Buffer*, 7> CasterDrawing::Buffers()
@@ -92,11 +103,19 @@ bool CasterDrawing::Build(const WarpShape& warp)
         rtwCullTriangles } } }) &&
     this->SettingUp.Build({ { GL_COMPUTE_SHADER,
       { stored, rtwWarpFocus, warp.Function, warp.Bend, limits.c_str(), rtwCasterWork,
-        rtwCasterTriangle, rtwCasterRecords, rtwCoverCasters, rtwSetUpCasters } } }) &&
+        rtwCasterTriangle, rtwCasterRecords, rtwCoverCasters, rtwTessellateCasters,
+        rtwSetUpCasters } } }) &&
     this->Straight.Build({ { GL_VERTEX_SHADER, { rtwCasterRecords, rtwStraightCasterVS } },
-      { GL_FRAGMENT_SHADER, { rtwStraightCasterFS } } }) &&
+      { GL_FRAGMENT_SHADER, { rtwCasterGradient, rtwStraightCasterFS } } }) &&
     this->Bent.Build({ { GL_VERTEX_SHADER, { rtwCasterRecords, rtwBentCasterVS } },
-      { GL_FRAGMENT_SHADER, { stored, rtwWarpFocus, warp.Function, rtwBentCasterFS } } }) &&
+      { GL_FRAGMENT_SHADER,
+        { stored, rtwWarpFocus, warp.Function, rtwCasterGradient, rtwCasterPlane, rtwBentCasterFS } } }) &&
+    this->Patches.Build({ { GL_VERTEX_SHADER,
+                            { stored, rtwWarpFocus, warp.Function, limits.c_str(), rtwCasterRecords,
+                              rtwTessellatedCasterVS } },
+      { GL_FRAGMENT_SHADER,
+        { stored, rtwWarpFocus, warp.Function, rtwCasterGradient, rtwCasterPlane,
+          rtwTessellatedCasterFS } } }) &&
     this->Thin.Build(
       { { GL_VERTEX_SHADER, { stored, rtwWarpFocus, warp.Function, rtwThinCasterVS } },
         { GL_FRAGMENT_SHADER, { rtwThinCasterFS } } });
@@ -105,7 +124,8 @@ bool CasterDrawing::Build(const WarpShape& warp)
 std::string CasterDrawing::GetLog() const
 {
   return this->Focusing.GetLog() + this->Culling.GetLog() + this->CullingTriangles.GetLog() +
-    this->SettingUp.GetLog() + this->Straight.GetLog() + this->Bent.GetLog() + this->Thin.GetLog();
+    this->SettingUp.GetLog() + this->Straight.GetLog() + this->Bent.GetLog() +
+    this->Patches.GetLog() + this->Thin.GetLog();
 }
 
 std::size_t CasterDrawing::GetMemory() const
@@ -127,7 +147,11 @@ void CasterDrawing::Prepare(const Program& program, const Layer& layer) const
   layer.Table.Bind(program);
   program.Set("rtwLayer", layer.Index);
   program.Set("rtwNearestW", NearestW(layer.Frame));
-  program.Set("rtwAllowedBend", AllowedBendInTexels / float(layer.Table.GetResolution()));
+  const Bending bends = layer.Options.Bends;
+  const float allowed = bends == Bending::Exact ? LeastBendInTexels : AllowedBendInTexels;
+  program.Set("rtwAllowedBend", allowed / float(layer.Table.GetResolution()));
+  program.Set("rtwTessellating", bends == Bending::Tessellated ? 1 : 0);
+  program.Set("rtwEdgeLength", float(layer.Options.EdgeLength));
 }
 
 void CasterDrawing::Focus(const Layer& layer)
@@ -158,7 +182,7 @@ void CasterDrawing::Cull(const Layer& layer, int first, int end)
   this->Culling.Set("rtwFirstDraw", first);
   this->Culling.Set("rtwEndDraw", end);
   this->Culling.Set("rtwCull", layer.Options.Cull ? 1 : 0);
-  this->Culling.Set("rtwExact", layer.Options.Exact ? 1 : 0);
+  this->Culling.Set("rtwBending", layer.Options.Bends != Bending::Linear ? 1 : 0);
   this->Culling.Set("rtwLeastBend", LeastBendInTexels / float(layer.Table.GetResolution()));
   Dispatch(Groups(end - first, 64));
 }
@@ -167,7 +191,9 @@ void CasterDrawing::SetUp(const Layer& layer, int clusters)
 {
   this->StraightCasters.Reserve(StraightBytes * clusters);
   this->BentCasters.Reserve(BentBytes * clusters);
-  this->Covers.Reserve(CoverBytes * clusters);
+  // Patches lie behind the covers.
+  const bool tessellates = layer.Options.Bends == Bending::Tessellated;
+  this->Covers.Reserve(CoverBytes * (tessellates ? BatchSize + clusters : clusters));
   layer.Store.GetPoints().BindStorage(0);
   layer.Store.GetIndices().BindStorage(1);
   this->Matrices.BindStorage(2);
@@ -186,6 +212,11 @@ void CasterDrawing::DrawTriangles(const Layer& layer, int clusters)
 {
   this->Prepare(this->Bent, layer);
   this->Pulled.DrawIndirect(this->Work, BentDrawOffset, clusters, WorkBytes);
+  if (layer.Options.Bends == Bending::Tessellated)
+  {
+    this->Prepare(this->Patches, layer);
+    this->Pulled.DrawIndirect(this->Work, PatchDrawOffset, clusters, WorkBytes);
+  }
   this->Straight.Use();
   this->Pulled.DrawIndirect(this->Work, 0, clusters, WorkBytes);
 }

@@ -19,10 +19,20 @@ namespace rtw
 class GeometryStore;
 class WarpTable;
 
+/// What becomes of triangles that the warp bends; the numbers are the users'.
+enum class Bending
+{
+  Linear = 0,      ///< nothing
+  Tessellated = 1, ///< they are cut up
+  Exact = 2,       ///< they are drawn by their own edges
+  Automatic = 3    ///< the same, where it can be seen
+};
+
 struct CasterOptions
 {
-  bool Cull = true;  ///< leave out what cannot shadow anything in focus
-  bool Exact = true; ///< draw triangles that the warp bends by their own edges
+  bool Cull = true; ///< leave out what cannot shadow anything in focus
+  Bending Bends = Bending::Automatic;
+  double EdgeLength = 0.025; ///< of tessellated triangles at most, of the map's side
 };
 
 struct CasterCounts
@@ -58,7 +68,7 @@ private:
     CasterOptions Options;
   };
 
-  std::array<Program*, 7> Programs();
+  std::array<Program*, 8> Programs();
   std::array<Buffer*, 7> Buffers();
   void Prepare(const Program& program, const Layer& layer) const;
   void Focus(const Layer& layer);
@@ -68,7 +78,7 @@ private:
   void DrawThin(const Layer& layer);
 
   std::string Warp;
-  Program Focusing, Culling, CullingTriangles, SettingUp, Straight, Bent, Thin;
+  Program Focusing, Culling, CullingTriangles, SettingUp, Straight, Bent, Patches, Thin;
   Buffer LightMatrices, Matrices, Work, StraightCasters, BentCasters, Covers, Counts;
   PulledVertices Pulled;
   MeshArray Array;

@@ -13,7 +13,14 @@ struct BentCaster
   vec4 anchor;   // a corner: q and depth; w: the greatest depth
 };
 
-// A part of the map that holds a bent triangle, or a slice of one: a triangle, or the parallelogram that it is half of.
+// A bent triangle that is tessellated takes the same place: its corners before the perspective division in `edges`, and in `anchor` the
+// slope and the numbers of pieces along an edge, in all, and of the edges from the first to the second corner, and so on: PIECES times
+// the first of two, plus the other.
+const float PIECES = 1024.0;
+
+
+// A part of the map that holds a bent triangle, or a slice of one: a triangle, or the parallelogram that it is half of. Or a patch, by its
+// corners in pieces along the first two edges from the first corner; `depth` is its own number of pieces along an edge then.
 struct CasterCover
 {
   vec2 corners[3];

@@ -1,10 +1,11 @@
-// A cluster on its way through the light pass: what the culling leaves of it, and the two draw calls that its triangles' set-up fills.
+// A cluster on its way through the light pass: what the culling leaves of it, and the three draw calls that its triangles' set-up fills.
 //
 // Each cluster has its own place in the lists of triangles, so that they are drawn in the same order whenever they are set up.
 struct CasterWork
 {
   uint straightDraw[4]; // vertices, instances, first vertex, first instance
   uint bentDraw[4];
+  uint patchDraw[4];
   uint firstIndex;
   uint baseVertex;
   uint instance;
@@ -12,7 +13,7 @@ struct CasterWork
   uint end;     // of all indices
   uint slices;  // of covers
   uint numberOfCasters;
-  uint unused;
+  uint patches; // of tessellated triangles
   uint casters[MOST_TRIANGLES]; // triangles that hide the centre of a texel
 };
 

@@ -8,7 +8,7 @@ uniform int rtwFirstDraw;
 uniform int rtwEndDraw;
 uniform int rtwLayer;
 uniform int rtwCull;           // whether to leave out what shadows nothing in view
-uniform int rtwExact;          // whether bent triangles are treated apart
+uniform int rtwBending;        // whether bent triangles are treated apart
 uniform float rtwNearestW;     // what is nearer to a spot casts no shadow
 uniform float rtwLeastBend;    // of the map's side: below it bends don't matter
 
@@ -86,15 +86,17 @@ void main()
     (crosses || (all(lessThanEqual(e.low, vec2(1.0))) && all(greaterThanEqual(e.high, vec2(0.0))) && e.nearest <= 1.0));
   bool casts = (draw.flags & CASTS) != 0u && (reaches || rtwCull == 0);
   uint end = casts ? cluster.classEnd[SIZE_CLASSES - 1] : 0u;
-  uint bent = !casts ? 0u : crosses ? end : rtwExact == 0 ? 0u : rtwBentIndices(cluster, m, e);
+  uint bent = !casts ? 0u : crosses ? end : rtwBending == 0 ? 0u : rtwBentIndices(cluster, m, e);
   rtwWork[i].straightDraw = uint[4](0u, 1u, 3u * MOST_TRIANGLES * i, 0u);
   rtwWork[i].bentDraw = uint[4](0u, 1u, 6u * MOST_COVERS * i, 0u);
+  rtwWork[i].patchDraw = uint[4](0u, 1u, PATCH_VERTICES * MOST_COVERS * i, 0u);
   rtwWork[i].firstIndex = cluster.firstIndex;
   rtwWork[i].baseVertex = cluster.baseVertex;
   rtwWork[i].instance = draw.instance;
   rtwWork[i].bentEnd = bent;
   rtwWork[i].end = end;
   rtwWork[i].slices = 0u;
+  rtwWork[i].patches = 0u;
   rtwWork[i].numberOfCasters = 0u;
   if ((draw.flags & CASTS) != 0u)
   {

@@ -9,11 +9,10 @@ layout(std430, binding = 4) writeonly buffer StraightCasters
   StraightCaster rtwStraight[];
 };
 uniform float rtwAllowedBend; // of the map's side
+uniform int rtwTessellating;  // whether what is bent more is tessellated instead of covered
 
 // Of depth, which a straight triangle interpolates: what the bends of its inside amount to must not be seen as acne.
 const float ALLOWED_ERROR = 5e-7;
-
-const float STEEPEST = 60000.0; // that a 16-bit float holds
 
 struct CasterPlane
 {
@@ -56,7 +55,7 @@ void rtwDrawStraight(Caster t, vec2 slope, vec2 u[3])
     rtwStraight[i].onMap[k] = u[k];
     rtwStraight[i].depth[k] = t.points[k].z / t.points[k].w;
   }
-  rtwStraight[i].slope = clamp(slope, -STEEPEST, STEEPEST);
+  rtwStraight[i].slope = slope;
 }
 
 void rtwDrawBent(Caster t, CasterPlane p, uint caster, vec2 u[3], vec2 bend)
@@ -88,6 +87,10 @@ void rtwSetUp(uint triangle)
   if (straight && !t.crosses)
   {
     rtwDrawStraight(t, p.slope, u);
+  }
+  else if (rtwTessellating != 0 && !t.crosses)
+  {
+    rtwTessellate(t, p.slope, MOST_TRIANGLES * gl_WorkGroupID.x + triangle, u);
   }
   else
   {

@@ -130,7 +130,7 @@ bool ShadowPipeline::Update(const View& view, const FrameScene& scene,
     return false;
   }
   const std::uint64_t signature = this->Sign(scene, lights, options);
-  if (options.Caching && signature == this->LastSignature)
+  if (options.Caching && signature == this->LastSignature && this->Settled)
   {
     // What no map depends on may have changed all the same.
     for (std::size_t i = 0; i < this->Frames.size(); ++i)
@@ -180,10 +180,12 @@ void ShadowPipeline::UnbindTextures(const ReceiverUniforms& units) const
   this->Masking.GetMask().Unbind(units.MaskUnit);
 }
 
-int ShadowPipeline::ClampResolution(unsigned int resolution) const
+int ShadowPipeline::ClampResolution(unsigned int resolution, std::size_t lights) const
 {
-  return static_cast<int>(
-    std::min<unsigned int>(resolution, static_cast<unsigned int>(this->Can.MaximumTextureSize)));
+  // The layers of a light and of its other casters.
+  const int rows = WarpTable::RowsPerLayer * 2 * static_cast<int>(std::max<std::size_t>(lights, 1));
+  const int most = std::min(this->Can.MaximumTextureSize, this->Can.MaximumTexels / rows);
+  return static_cast<int>(std::min<unsigned int>(resolution, static_cast<unsigned int>(most)));
 }
 
 glm::dvec2 ShadowPipeline::ReadMaximumEffectiveResolution(int layer) const
@@ -203,6 +205,7 @@ void ShadowPipeline::Abandon()
 {
   this->Warp->Abandon();
   this->Store.Abandon();
+  this->Last.Abandon();
   this->Sampler.Abandon();
   this->Focus.Abandon();
   this->Casters.Abandon();
@@ -223,6 +226,7 @@ void ShadowPipeline::Release(vtkOpenGLRenderWindow* window)
   window->MakeCurrent();
   this->Warp->Release();
   this->Store.Release();
+  this->Last.Release();
   this->Sampler.Release();
   this->Focus.Release();
   this->Casters.Release();

@@ -35,6 +35,7 @@ struct PipelineOptions
 {
   int Resolution = 1024;
   int ViewSampleStride = 2;
+  bool PreviousFrame = false; ///< whether view samples may come from it
   bool FocusOnView = true;
   bool Caching = true;
   CasterOptions Casters;
@@ -71,6 +72,9 @@ public:
   bool Update(const View& view, const FrameScene& scene, const std::vector<ShadowLight>& lights,
     const PipelineOptions& options, const MapperDrawing& mappers);
 
+  /// Keeps the depth of what has been drawn, for the next frame's view samples.
+  void CaptureFrame(const PipelineOptions& options);
+
   /// Lets the view samples stand in for the depth of what is drawn next, where they are complete: what they hide isn't shaded.
   void PrimeDepth(const FrameScene& scene, const PipelineOptions& options);
 
@@ -84,8 +88,8 @@ public:
   /// Binds the table, and the maps and the mask unless maps are drawn into, to texture units.
   void BindTextures(const ReceiverUniforms& units, bool maps) const;
   void UnbindTextures(const ReceiverUniforms& units) const;
-  /// To the largest map that the GPU allows.
-  int ClampResolution(unsigned int resolution) const;
+  /// To the largest maps of so many lights that the GPU allows.
+  int ClampResolution(unsigned int resolution, std::size_t lights) const;
   StageTimers& GetTimers() { return this->Timers; }
   /// By how many layers those of casters that mappers draw lie behind the lights' own; 0 where they share them.
   int GetOtherLayers() const { return this->OtherLayers; }
@@ -114,6 +118,7 @@ private:
   void DrawLayer(StateGuard& guard, int layer, const FrameScene& scene, const PipelineOptions& options,
     const MapperDrawing& mappers);
   bool NeedsViewSamples(const PipelineOptions& options) const;
+  bool ResampleLastFrame(const PipelineOptions& options);
 
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   std::uint64_t ContextTime = 0;
@@ -124,6 +129,9 @@ private:
   std::unique_ptr<WarpStage> Warp, Fallback;
   GeometryStore Store;
   ViewSampler Sampler;
+  LastFrame Last;
+  bool Resampled = false; ///< whether the analysis looks at the last frame
+  bool Settled = true;    ///< false where that frame shows something else than this one
   FocusStage Focus;
   CasterDrawing Casters;
   MaskStage Masking;

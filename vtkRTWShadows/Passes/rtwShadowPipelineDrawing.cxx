@@ -11,6 +11,12 @@
 
 namespace rtw
 {
+namespace
+{
+constexpr float LeastMargin = 1e-4f;     // of the focus, for rounding
+constexpr float ResampledMargin = 0.05f; // for what the last frame has not seen
+}
+
 std::vector<Rectangle> ShadowPipeline::UnsampledReceivers(const FrameScene& scene) const
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -38,9 +44,30 @@ bool ShadowPipeline::NeedsViewSamples(const PipelineOptions& options) const
     (options.Masked || options.FocusOnView || this->Warp->NeedsViewSamples());
 }
 
+// True where the last frame shows about what this one will.
+bool ShadowPipeline::ResampleLastFrame(const PipelineOptions& options)
+{
+  if (!options.PreviousFrame || !this->Last.Resembles(this->Viewed, this->SceneSize))
+  {
+    return false;
+  }
+  StageTimers::Scope timer(this->Timers, "resampling");
+  return this->Sampler.Resample(this->Last, options.ViewSampleStride);
+}
+
+void ShadowPipeline::CaptureFrame(const PipelineOptions& options)
+{
+  if (options.PreviousFrame && this->OwnDrawing && this->Last.GetSignature() != this->LastSignature)
+  {
+    StateGuard guard(this->Window);
+    this->Last.Capture(this->Viewed, this->LastSignature);
+  }
+}
+
 // From view samples to a filled warp table.
 void ShadowPipeline::Analyse(const FrameScene& scene, const PipelineOptions& options)
 {
+  const int stride = this->Resampled ? 1 : options.ViewSampleStride;
   std::vector<LightFrame> frames = this->Frames;
   std::vector<Rectangle> unsampled = this->UnsampledReceivers(scene);
   if (this->OtherLayers > 0)
@@ -51,7 +78,8 @@ void ShadowPipeline::Analyse(const FrameScene& scene, const PipelineOptions& opt
   if (options.FocusOnView && this->OwnDrawing)
   {
     StageTimers::Scope timer(this->Timers, "focus");
-    this->Focus.Reduce(frames, unsampled, this->Sampler, options.ViewSampleStride, this->Table);
+    this->Focus.Reduce(frames, unsampled, this->Sampler, stride,
+      this->Resampled ? ResampledMargin : LeastMargin, this->Table);
   }
   else
   {
@@ -67,7 +95,7 @@ void ShadowPipeline::Analyse(const FrameScene& scene, const PipelineOptions& opt
   if (this->OwnDrawing)
   {
     StageTimers::Scope timer(this->Timers, "warp");
-    this->Warp->Run(this->Frames, this->Sampler, options.ViewSampleStride, this->Table);
+    this->Warp->Run(this->Frames, this->Sampler, stride, this->Table);
   }
 }
 
@@ -88,7 +116,9 @@ void ShadowPipeline::Draw(const FrameScene& scene, const std::vector<ShadowLight
   this->Table.Allocate((this->OwnDrawing ? this->Warp : this->Fallback)->GetCells(),
     options.Resolution, layers + this->OtherLayers);
   this->HasSamples = this->HasMask = false;
-  if (this->NeedsViewSamples(options))
+  this->Resampled = this->NeedsViewSamples(options) && this->ResampleLastFrame(options);
+  this->Settled = !this->Resampled || this->Last.GetSignature() == this->LastSignature;
+  if (!this->Resampled && this->NeedsViewSamples(options))
   {
     this->DrawViewSamples(guard, scene.Props.empty() ? nullptr : mappers.ViewSamples);
   }

@@ -105,21 +105,27 @@ void vtkAdaptiveShadowMapPass::Bake(const vtkRenderState* s)
     renderer, { CASTS_SHADOW(), RECEIVES_SHADOW() }, my.Pipeline.HasOwnDrawing());
   this->WarnOnce();
 
-  my.Options.Resolution = my.Pipeline.ClampResolution(this->GetResolution());
+  my.Options.Resolution =
+    my.Pipeline.ClampResolution(this->GetResolution(), my.Lights.Shadowing.size());
   if (static_cast<unsigned int>(my.Options.Resolution) < this->GetResolution() &&
     !my.WarnedOfResolution)
   {
     my.WarnedOfResolution = true;
-    vtkWarningMacro("Resolution " << this->GetResolution() << " is more than this GPU's largest texture; using "
+    vtkWarningMacro("Resolution " << this->GetResolution() << " is more than this GPU's textures hold; using "
                                   << my.Options.Resolution);
   }
   my.Options.ViewSampleStride = this->ViewSampleStride;
+  // Of several samples a pixel there is no one depth.
+  my.Options.PreviousFrame =
+    this->ViewSampleSource == PREVIOUS_FRAME && window->GetMultiSamples() <= 1;
   my.Options.FocusOnView = this->FocusOnView;
   my.Options.Caching = this->Caching;
-  my.Options.Casters = { this->CullCasters, this->Rasterization == EXACT };
+  my.Options.Casters = { this->CullCasters, static_cast<rtw::Bending>(this->Rasterization),
+    this->MaximumEdgeLength };
   my.Options.Bias = this->ConstantBias;
   // Samples of a pixel see other surfaces than its centre; without own programs a mask would cost a pass through VTK's mappers.
-  my.Options.Masked = my.Pipeline.HasOwnDrawing() && window->GetMultiSamples() <= 1;
+  my.Options.Masked = my.Pipeline.HasOwnDrawing() && window->GetMultiSamples() <= 1 &&
+    !my.Options.PreviousFrame;
   rtw::ReceiverShape shape{ my.Pipeline.GetShape(), {}, this->Filter, this->DepthTest,
     my.Pipeline.CountOtherLayers(my.Scene, my.Lights.Shadowing.size()) > 0 };
   for (const rtw::ShadowLight& light : my.Lights.Shadowing)
@@ -196,11 +202,17 @@ void vtkAdaptiveShadowMapPass::RenderShadowed(const vtkRenderState* s, vtkRender
       vtkWarningMacro("draws without shadows: no three texture units are free; use fewer textures at a time");
     }
     // Any other pass may leave props out, and then there would be holes.
-    if (delegate == my.DefaultSequence || !std::strcmp(delegate->GetClassName(), "vtkOpaquePass"))
+    const bool isOpaque =
+      delegate == my.DefaultSequence || !std::strcmp(delegate->GetClassName(), "vtkOpaquePass");
+    if (isOpaque)
     {
       my.Pipeline.PrimeDepth(my.Scene, my.Options);
     }
     delegate->Render(s);
+    if (isOpaque)
+    {
+      my.Pipeline.CaptureFrame(my.Options);
+    }
   }
   this->NumberOfRenderedProps += delegate->GetNumberOfRenderedProps();
 }

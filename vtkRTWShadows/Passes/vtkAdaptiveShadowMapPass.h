@@ -72,8 +72,19 @@ public:
    */
   enum Rasterizations
   {
-    LINEAR = 0, ///< vertices are warped, edges stay straight: good for small triangles only
-    EXACT = 2   ///< each fragment decides on the unwarped light plane; straight triangles take the plain way
+    LINEAR = 0,      ///< vertices are warped, edges stay straight: good for small triangles only
+    TESSELLATED = 1, ///< bent triangles are cut up until no edge is longer than MaximumEdgeLength (Rosen 2012, section 6.2)
+    EXACT = 2,       ///< each fragment of a bent triangle decides on the unwarped light plane
+    AUTOMATIC = 3    ///< EXACT where a triangle's bend could be seen, LINEAR where not, chosen for each triangle
+  };
+
+  /**
+   * What the view is sampled from, for focus and importance.
+   */
+  enum ViewSampleSources
+  {
+    PREPASS = 0,       ///< a depth pass of this frame
+    PREVIOUS_FRAME = 1 ///< the depth of the last frame, seen from there
   };
 
   ///@{
@@ -130,12 +141,38 @@ public:
   /**
    * One of Rasterizations; any other value is refused with an error. What only VTK's own mappers can draw (glyphs,
    * imposters, cut-outs, clipped meshes) is not warped at all, whatever this says: it has a layer of its own, which is
-   * focused and uniform. Default: EXACT.
+   * focused and uniform. Default: AUTOMATIC.
    */
   virtual void SetRasterization(int rasterization);
   vtkGetMacro(Rasterization, int);
   void SetRasterizationToLinear() { this->SetRasterization(LINEAR); }
+  void SetRasterizationToTessellated() { this->SetRasterization(TESSELLATED); }
   void SetRasterizationToExact() { this->SetRasterization(EXACT); }
+  void SetRasterizationToAutomatic() { this->SetRasterization(AUTOMATIC); }
+  ///@}
+
+  ///@{
+  /**
+   * How long an edge of a tessellated triangle may be on the map, as a share of the map's side; an edge gets no more than 256 pieces.
+   * The paper tries 0.05, 0.025 and 0.01 (its Table 3). Clamped to 0.001 to 1; what is not a number is refused with an error. Only
+   * TESSELLATED uses it. Default: 0.025.
+   */
+  virtual void SetMaximumEdgeLength(double share);
+  vtkGetMacro(MaximumEdgeLength, double);
+  ///@}
+
+  ///@{
+  /**
+   * One of ViewSampleSources; any other value is refused with an error. PREVIOUS_FRAME saves a pass over the receivers; the
+   * focus gets a margin of a twentieth, and maps are drawn once more when all stands still. After a cut (the first
+   * frame, another size, a camera that has moved by more than a hundredth of the scene's diagonal, turned by more than 3 degrees or
+   * zoomed by more than a twentieth), and in windows with several samples a pixel, a prepass takes its place. Default:
+   * PREPASS.
+   */
+  virtual void SetViewSampleSource(int source);
+  vtkGetMacro(ViewSampleSource, int);
+  void SetViewSampleSourceToPrepass() { this->SetViewSampleSource(PREPASS); }
+  void SetViewSampleSourceToPreviousFrame() { this->SetViewSampleSource(PREVIOUS_FRAME); }
   ///@}
 
   ///@{
@@ -291,7 +328,9 @@ protected:
   int Filter = BILINEAR;
   int DepthTest = DUAL;
   double ConstantBias = 0.002;
-  int Rasterization = EXACT;
+  int Rasterization = AUTOMATIC;
+  double MaximumEdgeLength = 0.025;
+  int ViewSampleSource = PREPASS;
   int ViewSampleStride = 2;
   bool Caching = true;
   bool CullCasters = true;
@@ -306,6 +345,7 @@ private:
   friend class vtkAdaptiveShadowMapBakerPass;
   class Internals;
 
+  void SetShare(double& member, double share, double least, const char* property);
   bool Choose(int& member, int value, bool valid, const char* property, const char* choices);
   void Bake(const vtkRenderState* s);
   void WarnOnce();

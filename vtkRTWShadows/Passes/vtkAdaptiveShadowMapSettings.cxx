@@ -56,23 +56,41 @@ void vtkAdaptiveShadowMapPass::SetDepthTest(int test)
 void vtkAdaptiveShadowMapPass::SetRasterization(int rasterization)
 {
   this->Choose(this->Rasterization, rasterization,
-    rasterization == LINEAR || rasterization == EXACT, "Rasterization", "LINEAR (0) or EXACT (2)");
+    rasterization >= LINEAR && rasterization <= AUTOMATIC, "Rasterization",
+    "LINEAR (0), TESSELLATED (1), EXACT (2) or AUTOMATIC (3)");
+}
+
+void vtkAdaptiveShadowMapPass::SetViewSampleSource(int source)
+{
+  this->Choose(this->ViewSampleSource, source, source == PREPASS || source == PREVIOUS_FRAME,
+    "ViewSampleSource", "PREPASS (0) or PREVIOUS_FRAME (1)");
+}
+
+void vtkAdaptiveShadowMapPass::SetShare(
+  double& member, double share, double least, const char* property)
+{
+  if (!std::isfinite(share))
+  {
+    vtkErrorMacro("Set" << property << "(" << share << "): expected a number from " << least
+                        << " to 1; keeping " << member);
+    return;
+  }
+  share = std::clamp(share, least, 1.0);
+  if (member != share)
+  {
+    member = share;
+    this->Modified();
+  }
+}
+
+void vtkAdaptiveShadowMapPass::SetMaximumEdgeLength(double share)
+{
+  this->SetShare(this->MaximumEdgeLength, share, 0.001, "MaximumEdgeLength");
 }
 
 void vtkAdaptiveShadowMapPass::SetConstantBias(double share)
 {
-  if (!std::isfinite(share))
-  {
-    vtkErrorMacro("SetConstantBias(" << share << "): expected a number from 0 to 1; keeping "
-                                     << this->ConstantBias);
-    return;
-  }
-  share = std::clamp(share, 0.0, 1.0);
-  if (this->ConstantBias != share)
-  {
-    this->ConstantBias = share;
-    this->Modified();
-  }
+  this->SetShare(this->ConstantBias, share, 0.0, "ConstantBias");
 }
 
 void vtkAdaptiveShadowMapPass::SetPartition(vtkShadowMapPartition* partition)
@@ -247,6 +265,8 @@ void vtkAdaptiveShadowMapPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "DepthTest: " << this->DepthTest << "\n";
   os << indent << "ConstantBias: " << this->ConstantBias << "\n";
   os << indent << "Rasterization: " << this->Rasterization << "\n";
+  os << indent << "MaximumEdgeLength: " << this->MaximumEdgeLength << "\n";
+  os << indent << "ViewSampleSource: " << this->ViewSampleSource << "\n";
   os << indent << "ViewSampleStride: " << this->ViewSampleStride << "\n";
   os << indent << "Caching: " << this->Caching << "\n";
   os << indent << "CullCasters: " << this->CullCasters << "\n";
