@@ -162,7 +162,7 @@ void Contest::CompareLate(Place& own)
 // has them too.
 int Contest::NumberOfPlaces(double round, double left) const
 {
-  int places = this->Settings.ErrorViews;
+  int places = this->On.LeastPlaces(this->Settings);
   while (2 * places <= this->Settings.Frames && 2 * places * this->Settings.Laps * round < left)
   {
     places *= 2;

@@ -92,6 +92,7 @@ Setups Actors(const Options& options)
   return Growth("actors", "town", options,
     Values(options, { 1, 10, 100, 1000, 5000 }, { 1, 100, 1000 }), [](int value, Setup& setup) {
       setup.Actors = value;
+      setup.IsHeavy = value > 1000;
       setup.Triangles = setup.Triangles > 0 ? setup.Triangles : 250000;
     });
 }
@@ -112,6 +113,7 @@ Setups Windows(const Options& options)
     [](int value, Setup& setup) {
       setup.Width = value;
       setup.Height = value == 3840 ? 2160 : value;
+      setup.IsHeavy = value > 2048;
     });
   return setups;
 }
@@ -120,7 +122,10 @@ Setups Triangles(const Options& options)
 {
   return Growth("triangles", "terrain", options,
     Values(options, { 10000, 100000, 1000000, 5000000 }, { 10000, 100000 }),
-    [](int value, Setup& setup) { setup.Triangles = std::size_t(value); });
+    [](int value, Setup& setup) {
+      setup.Triangles = std::size_t(value);
+      setup.IsHeavy = value > 1000000;
+    });
 }
 
 struct FamilyEntry
@@ -162,6 +167,11 @@ std::string Setup::Name() const
   return this->Family + "/scene:" + this->Scene +
     (this->Variable.empty() ? "" : "/" + this->Variable) +
     "/map:" + std::to_string(this->Resolution);
+}
+
+int Setup::LeastPlaces(const Options& options) const
+{
+  return this->IsHeavy || this->Moves == Motion::NOTHING ? 1 : options.ErrorViews;
 }
 
 std::string Setup::Content() const

@@ -31,9 +31,12 @@ struct Setup
   int Lights = 1;
   int Outside = 0; // copies of the scene behind the camera
   Motion Moves = Motion::CAMERA;
+  bool IsHeavy = false;  // so that one place on its way has to do
   bool Flickers = false; // whether it is told how much shadows flicker
 
   std::string Name() const;
+  /// Where its pixels are compared, and at least measured.
+  int LeastPlaces(const Options& options) const;
   /// Setups with equal contents have the same exact shadows.
   std::string Content() const;
 };

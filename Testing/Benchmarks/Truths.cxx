@@ -51,7 +51,7 @@ const rtw::Truth* Truths::Find(int place, int step) const
 
 std::shared_ptr<const Truths> TruthsOf(const Setup& setup, const Options& options)
 {
-  const int views = setup.Moves == Motion::NOTHING ? 1 : options.ErrorViews;
+  const int views = setup.LeastPlaces(options);
   const int steps = setup.Flickers ? options.Laps : 1;
   static std::shared_ptr<const Truths> last;
   static std::string lastKey;
