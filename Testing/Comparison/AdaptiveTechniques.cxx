@@ -13,6 +13,21 @@ namespace rtw
 {
 namespace
 {
+int ToFilter(Filter filter)
+{
+  switch (filter)
+  {
+    case Filter::NEAREST:
+      return vtkAdaptiveShadowMapPass::NEAREST;
+    case Filter::PCF:
+      return vtkAdaptiveShadowMapPass::PCF;
+    case Filter::SOFT:
+      return vtkAdaptiveShadowMapPass::SOFT;
+    default:
+      return vtkAdaptiveShadowMapPass::BILINEAR;
+  }
+}
+
 int ToDepthTest(DepthTest test)
 {
   switch (test)
@@ -32,8 +47,15 @@ void Configure(vtkAdaptiveShadowMapPass* pass, const TechniqueSettings& settings
   pass->SetTimeStages(settings.Stages);
   if (settings.Filtering)
   {
-    pass->SetFilter(*settings.Filtering == Filter::NEAREST ? vtkAdaptiveShadowMapPass::NEAREST
-                                                           : vtkAdaptiveShadowMapPass::BILINEAR);
+    pass->SetFilter(ToFilter(*settings.Filtering));
+  }
+  if (settings.FilterRadius)
+  {
+    pass->SetFilterRadius(*settings.FilterRadius);
+  }
+  if (settings.FilterJitter)
+  {
+    pass->SetFilterJitter(*settings.FilterJitter);
   }
   if (settings.Test)
   {

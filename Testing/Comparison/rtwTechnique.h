@@ -18,7 +18,9 @@ namespace rtw
 enum class Filter
 {
   NEAREST,
-  BILINEAR
+  BILINEAR,
+  PCF,
+  SOFT
 };
 
 enum class DepthTest
@@ -39,6 +41,8 @@ struct TechniqueSettings
 {
   int Resolution = 1024; // texels a side of a shadow map
   std::optional<Filter> Filtering;
+  std::optional<double> FilterRadius; // texels of PCF, world units of SOFT
+  std::optional<bool> FilterJitter;
   std::optional<DepthTest> Test;
   std::optional<bool> Focus;
   std::optional<Importance> ImportanceKind;

@@ -225,6 +225,11 @@ void TestSettings()
     refused("SetFilter(7)");
     pass->SetFilter(-1);
     refused("SetFilter(-1)");
+    for (const double radius : { NotANumber, -1.0, double(INFINITY), 1e31 })
+    {
+      pass->SetFilterRadius(radius);
+      refused("SetFilterRadius out of range");
+    }
     pass->SetDepthTest(3);
     refused("SetDepthTest(3)");
     pass->SetRasterization(4);
@@ -250,6 +255,7 @@ void TestSettings()
     RTW_CHECK_EQUAL(messages.GetNumberOfWarnings(), 0);
   }
   RTW_CHECK_EQUAL(pass->GetFilter(), int(vtkAdaptiveShadowMapPass::BILINEAR));
+  RTW_CHECK_EQUAL(pass->GetFilterRadius(), 2.0);
   RTW_CHECK_EQUAL(pass->GetDepthTest(), int(vtkAdaptiveShadowMapPass::DUAL));
   RTW_CHECK_EQUAL(pass->GetViewSampleSource(), int(vtkAdaptiveShadowMapPass::PREPASS));
   RTW_CHECK(pass->GetWarp() != nullptr);
@@ -268,6 +274,29 @@ void TestSettings()
   warp->SetImportanceFloor(NotANumber);
   RTW_CHECK_EQUAL(messages.GetNumberOfErrors(), 4);
   RTW_CHECK_EQUAL(warp->GetBlurSigma(), 3.0);
+}
+
+// More texels than PCF looks at are as good as the most; that is said once. SOFT takes any width.
+void TestLargeFilterRadius()
+{
+  rtwShadowStage stage(rtwTechnique::Uniform);
+  stage.AddObjects();
+  stage.AddSun(3, 5, 2);
+  stage.Pass->SetFilterRadius(20);
+  rtwMessageCatcher messages(stage.Pass);
+  stage.Render();
+  stage.Pass->SetFilterToSoft();
+  stage.Render();
+  RTW_CHECK_EQUAL(messages.GetNumberOfWarnings(), 0);
+  stage.Pass->SetFilterToPCF();
+  stage.Render();
+  const std::vector<unsigned char> clamped = stage.GetMask(0);
+  stage.Pass->SetFilterRadius(8);
+  stage.Render();
+  RTW_CHECK(stage.GetMask(0) == clamped);
+  RTW_CHECK_EQUAL(messages.GetNumberOfErrors(), 0);
+  RTW_CHECK_EQUAL(messages.GetNumberOfWarnings(), 1);
+  RTW_CHECK(messages.GetText().find("FilterRadius 20") != std::string::npos);
 }
 
 // More than the GPU can do; clamping is said once. In a scene without objects nothing so large is
@@ -318,6 +347,7 @@ int TestShadowBadInput(int, char*[])
   TestWindow();
   TestMesh();
   TestSettings();
+  TestLargeFilterRadius();
   TestHugeResolution(1000000);
   TestHugeResolution(4000000000u);
   TestLostBaker();

@@ -124,9 +124,20 @@ class TestSwitch(unittest.TestCase):
 
     def test_words_for_enumerators(self):
         plotter = Plotter()
-        for word in ("nearest", "bilinear", "BILINEAR"):
+        for word in ("nearest", "bilinear", "BILINEAR", "pcf", "soft"):
             shadows = rtwshadows.enable_shadows(plotter, filter=word)
             self.assertEqual(shadows.GetFilter(), getattr(shadows, word.upper()))
+
+    def test_soft_shadows(self):
+        plotter = Plotter()
+        shadows = rtwshadows.enable_shadows(
+            plotter, filter="soft", filter_radius=0.2, filter_jitter=True)
+        self.assertEqual(shadows.GetFilter(), shadows.SOFT)
+        self.assertEqual(shadows.GetFilterRadius(), 0.2)
+        self.assertTrue(shadows.GetFilterJitter())
+        soft = len(set(map(tuple, plotter.picture())))
+        shadows.SetFilterToNearest()
+        self.assertGreater(soft, len(set(map(tuple, plotter.picture()))) + 20)
 
     def test_errors_change_nothing(self):
         plotter = Plotter()

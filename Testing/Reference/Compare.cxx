@@ -76,6 +76,12 @@ void CheckSize(const std::vector<unsigned char>& mask, const Truth& truth)
 }
 }
 
+std::vector<char> NearEdges(const Truth& truth, int reach)
+{
+  return Spread(
+    Spread(Edges(truth), 1, truth.Width, reach), size_t(truth.Width), truth.Height, reach);
+}
+
 ShadowErrors& ShadowErrors::operator+=(const ShadowErrors& other)
 {
   this->LitFacing += other.LitFacing;
@@ -93,8 +99,7 @@ ShadowErrors Compare(const std::vector<unsigned char>& mask, const Truth& truth)
 {
   CheckSize(mask, truth);
   const Flags edges = Edges(truth);
-  const Flags nearEdge =
-    Spread(Spread(edges, 1, truth.Width, 2), size_t(truth.Width), truth.Height, 2);
+  const Flags nearEdge = NearEdges(truth, 2);
   ShadowErrors errors;
   for (size_t i = 0; i < mask.size(); ++i)
   {

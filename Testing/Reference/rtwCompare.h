@@ -39,6 +39,9 @@ struct ShadowErrors
   }
 };
 
+/// Which pixels lie within that many of an edge of a shadow, along both axes.
+std::vector<char> NearEdges(const Truth& truth, int reach);
+
 /// Mask values below 128 say dark, those above lit. The mask has the truth's size and order of
 /// rows. Throws std::invalid_argument if its size is another.
 ShadowErrors Compare(const std::vector<unsigned char>& mask, const Truth& truth);

@@ -19,6 +19,7 @@ namespace rtw
 {
 namespace
 {
+constexpr float Margin = 1e-4f; // of the focus' extent, for rounding
 constexpr int Tile = 64;        // as in rtwFocusReduction.glsl
 
 // An order that floats and unsigned integers share, as in the shader.
@@ -51,7 +52,7 @@ const std::string& FocusStage::GetLog() const
 }
 
 void FocusStage::Reduce(const std::vector<LightFrame>& frames, const std::vector<Rectangle>& also,
-  const ViewSampler& samples, int stride, float margin, const WarpTable& table)
+  const ViewSampler& samples, int stride, const FilterReach& filter, const WarpTable& table)
 {
   std::vector<std::uint32_t> start;
   for (std::size_t layer = 0; layer < frames.size(); ++layer)
@@ -72,6 +73,7 @@ void FocusStage::Reduce(const std::vector<LightFrame>& frames, const std::vector
   this->Reduction.Use();
   samples.Bind(this->Reduction);
   this->Reduction.Set("rtwReach", stride > 1 ? 0.5f * float(stride) : 0.f);
+  this->Reduction.Set("rtwFilterWidth", float(filter.World));
   for (std::size_t layer = 0; layer < frames.size(); ++layer)
   {
     BindLight(this->Reduction, frames[layer], samples.GetView(), stride);
@@ -86,7 +88,7 @@ void FocusStage::Reduce(const std::vector<LightFrame>& frames, const std::vector
   {
     SetWholeBounds(this->Writing, frames[layer]);
     this->Writing.Set("rtwLayer", static_cast<int>(layer));
-    this->Writing.Set("rtwMargin", margin);
+    this->Writing.Set("rtwMargin", Margin + float(filter.Share));
     Dispatch(1);
   }
 }

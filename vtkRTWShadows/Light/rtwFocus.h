@@ -14,15 +14,21 @@ namespace rtw
 class ViewSampler;
 class WarpTable;
 
+/// How far beyond what the camera sees a filter looks.
+struct FilterReach
+{
+  double World = 0; ///< at the receiver, across the light
+  double Share = 0; ///< of the map's side
+};
+
 class FocusStage
 {
 public:
   bool Build();
   const std::string& GetLog() const;
-  /// One frame a layer. `also` are rectangles that each layer must hold too: receivers that aren't sampled. `margin`, a share of its
-  /// extent, is added to each side.
+  /// One frame a layer. `also` are rectangles that each layer must hold too: receivers that aren't sampled.
   void Reduce(const std::vector<LightFrame>& frames, const std::vector<Rectangle>& also,
-    const ViewSampler& samples, int stride, float margin, const WarpTable& table);
+    const ViewSampler& samples, int stride, const FilterReach& filter, const WarpTable& table);
   void Release();
   void Abandon();
 

@@ -9,6 +9,7 @@ layout(std430, binding = 0) buffer Bounds
 };
 uniform int rtwLayer;
 uniform float rtwReach; // of a sample, to the farthest pixel that it speaks for, in footprints
+uniform float rtwFilterWidth; // how far in the world a filter looks around a receiver
 uniform vec4 rtwWholeBounds; // nothing outside the light's own bounds counts
 shared vec4 rtwPartial[256];
 
@@ -34,8 +35,9 @@ void main()
         if (s.used)
         {
           // It speaks for the pixels around it too.
-          bounds.xy = min(bounds.xy, s.onLight - rtwReach * s.footprint);
-          bounds.zw = max(bounds.zw, s.onLight + rtwReach * s.footprint);
+          vec2 reach = rtwReach * s.footprint + rtwFilterWidth / s.w;
+          bounds.xy = min(bounds.xy, s.onLight - reach);
+          bounds.zw = max(bounds.zw, s.onLight + reach);
         }
       }
     }

@@ -9,6 +9,7 @@ struct LitSample
   vec3 position;
   vec3 normal; // in view coordinates, towards the viewer
   vec2 onLight;
+  float w;
   vec2 footprint; // of a pixel
 };
 
@@ -30,6 +31,7 @@ LitSample rtwLoadSample(ivec2 index)
   s.position = plane.here;
   s.normal = normalize(cross(plane.right - plane.here, plane.above - plane.here));
   s.onLight = here.xy;
+  s.w = here.z;
   s.footprint = vec2(length(vec2(dx.x, dy.x)), length(vec2(dx.y, dy.y)));
   bool reached = rtwCone.z == 0.0 || distance(s.onLight, rtwCone.xy) <= rtwCone.z;
   s.used = plane.seen && faces && reached;

@@ -1,10 +1,4 @@
-// The shadow of one light on one receiver: where it lies on the map, and which of the texels there are in front of it.
-//
-// A receiver at q is in shadow by the texel with centre c if the stored depth is in front of the receiver's tangent plane
-// at c, and the occluder's plane at q is in front of the receiver. On a convex surface the first condition rejects
-// self-shadowing, on a concave one the second.
-uniform sampler2DArray rtwDepths;
-uniform sampler2DArray rtwGradients;
+// The shadow of one light on one receiver: where it lies on the map, and how much of the light the texels there let through.
 uniform int rtwFirstLayer;  // that the first of these lights has
 uniform int rtwOtherLayers; // how far behind each light's layer that of its other casters lies
 uniform mat4 rtwToLight[RTW_LIGHTS];   // from view coordinates to (l · w, depth · w, w)
@@ -20,66 +14,18 @@ vec4 rtwOnLightPlane(int light, vec3 p)
   return vec4(h.xyz * (1.0 / h.w), h.w);
 }
 
-// Where a texel is wide beside the triangles, a triangle's plane says little of the surface half a texel away; the difference of the
-// two planes tells how little.
-const float RTW_ROUGHNESS = 0.35;
-
-// Both conditions are computed always: four taps with a branch each cost more than the reads that they save. The occluder's slope is
-// compared with the receiver's as `rough` says.
-float rtwOccluded(int layer, ivec2 texel, vec2 centre, vec3 q, vec2 gradient, vec2 slope, float rough, float tolerance)
+float rtwFiltered(int light, int layer, vec4 focus, rtwReceiver r, float w)
 {
-  float depth = texelFetch(rtwDepths, ivec3(texel, layer), 0).r;
-#if RTW_DEPTH_TEST == 2
-  return float(depth < q.z - tolerance);
-#else
-  vec2 away = q.xy - centre;
-  // Bounded, because the tangent plane of a receiver that the light grazes is steep.
-  float plane = q.z - max(dot(gradient, away), -0.5);
-#if RTW_DEPTH_TEST == 0
-  float margin = rough * dot(abs(slope - gradient), abs(away));
-  return float(max(depth - plane, depth + dot(slope, away) - q.z) < -tolerance - margin);
-#else
-  return float(depth - plane < -tolerance);
-#endif
-#endif
-}
-
-vec2 rtwSlope(int layer, ivec2 texel)
-{
-#if RTW_DEPTH_TEST == 0
-  return texelFetch(rtwGradients, ivec3(texel, layer), 0).rg;
-#else
-  return vec2(0.0);
-#endif
-}
-
-// 1 lit, 0 in shadow.
-float rtwFiltered(int layer, vec3 q, vec2 gradient, float tolerance)
-{
-  int last = rtwWarpSize.y - 1;
-  vec2 at = rtwWarp(layer, q.xy) * float(rtwWarpSize.y);
 #if RTW_FILTER == 0
-  ivec2 texel = clamp(ivec2(floor(at)), 0, last);
-  return 1.0 -
-    rtwOccluded(layer, texel, rtwTexelCentres(layer, texel).xz, q, gradient, rtwSlope(layer, texel), 0.0, tolerance);
+  return rtwNearest(layer, r);
+#elif RTW_FILTER == 1
+  return rtwBilinear(layer, r);
 #else
-  ivec2 corner = clamp(ivec2(floor(at - 0.5)), 0, last - 1);
-  ivec2 right = corner + ivec2(1, 0);
-  ivec2 above = corner + ivec2(0, 1);
-  vec2 f = clamp(at - 0.5 - vec2(corner), 0.0, 1.0);
-  vec4 c = rtwTexelCentres(layer, corner);
-  vec2 a = rtwSlope(layer, corner);
-  vec2 b = rtwSlope(layer, right);
-  vec2 d = rtwSlope(layer, above);
-  vec2 e = rtwSlope(layer, corner + 1);
-  // No two neighbours see the same triangle.
-  float rough = a != b && a != d && e != b && e != d ? RTW_ROUGHNESS : 0.0;
-  vec4 dark = vec4(rtwOccluded(layer, corner, c.xz, q, gradient, a, rough, tolerance),
-    rtwOccluded(layer, right, c.yz, q, gradient, b, rough, tolerance),
-    rtwOccluded(layer, above, c.xw, q, gradient, d, rough, tolerance),
-    rtwOccluded(layer, corner + 1, c.yw, q, gradient, e, rough, tolerance));
-  vec2 rows = mix(dark.xz, dark.yw, f.x);
-  return 1.0 - mix(rows.x, rows.y, f.y);
+  if (rtwTaps[light].w == 0.0)
+  {
+    return rtwBilinear(layer, r);
+  }
+  return rtwFilteredByTaps(layer, r, rtwMakeKernel(light, layer, focus, r, w));
 #endif
 }
 
@@ -108,9 +54,10 @@ float rtwVisibility(int light, vec4 l, vec3 dx, vec3 dy)
     vec2 aside = 1e-6 + t.w / l.w * (1.0 + distance(l.xy, cone.xy)) * focus.yw;
     float tolerance = t.x + t.y / (l.w * l.w) + dot(abs(gradient), aside);
 #endif
-    visibility = rtwFiltered(layer, q, gradient, tolerance);
+    rtwReceiver r = rtwReceiver(q, gradient, tolerance);
+    visibility = rtwFiltered(light, layer, focus, r, l.w);
 #if RTW_OTHER_LAYERS
-    visibility = min(visibility, rtwFiltered(layer + rtwOtherLayers, q, gradient, tolerance));
+    visibility = min(visibility, rtwFiltered(light, layer + rtwOtherLayers, focus, r, l.w));
 #endif
   }
   return visibility;

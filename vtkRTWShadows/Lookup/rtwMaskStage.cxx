@@ -2,7 +2,6 @@
 #include "rtwMaskStage.h"
 
 #include "rtwDenseLayers.h"
-#include "rtwLookup.h"
 #include "rtwMaskFS.h"
 #include "rtwMaskValue.h"
 #include "rtwOpenGL.h"
@@ -29,11 +28,11 @@ bool MaskStage::Build(const ReceiverShape& shape)
     this->Drawing.Release();
     this->Shape = one;
   }
-  const std::string definitions = DefinitionsOf(one);
+  const std::string definitions = DefinitionsOf(one), lookup = LookupCode(one);
   return this->Drawing.Build(
     { { GL_VERTEX_SHADER, { rtwScreenVS } },
       { GL_FRAGMENT_SHADER,
-        { definitions.c_str(), rtwWarpFocus, one.Warp.Function, rtwLookup, rtwViewSampleAccess,
+        { definitions.c_str(), rtwWarpFocus, one.Warp.Function, lookup.c_str(), rtwViewSampleAccess,
           rtwMaskValue, rtwMaskFS } } },
     150);
 }
@@ -50,6 +49,7 @@ void MaskStage::Render(const ReceiverLights& lights, int otherLayers, const View
   this->Drawing.Set("rtwDepths", DepthUnit);
   this->Drawing.Set("rtwGradients", GradientUnit);
   this->Drawing.Set("rtwOtherLayers", otherLayers);
+  this->Drawing.Set("rtwFilterJitter", lights.FilterJitter);
   for (int light = 0; light < lights.Count; ++light)
   {
     if (!this->Target.BindColour(this->Mask, light))
@@ -58,11 +58,9 @@ void MaskStage::Render(const ReceiverLights& lights, int otherLayers, const View
     }
     this->Drawing.Set("rtwFirstLayer", light);
     this->Drawing.SetMatrix("rtwToLight", lights.ToLight.data() + 16 * light);
-    const float* cone = lights.Cone.data() + 4 * light;
-    glUniform4f(this->Drawing.Location("rtwCone"), cone[0], cone[1], cone[2], cone[3]);
-    const float* tolerance = lights.Tolerance.data() + 4 * light;
-    glUniform4f(this->Drawing.Location("rtwTolerance"), tolerance[0], tolerance[1], tolerance[2],
-      tolerance[3]);
+    glUniform4fv(this->Drawing.Location("rtwCone"), 1, lights.Cone.data() + 4 * light);
+    glUniform4fv(this->Drawing.Location("rtwTolerance"), 1, lights.Tolerance.data() + 4 * light);
+    glUniform4fv(this->Drawing.Location("rtwTaps"), 1, lights.Taps.data() + 4 * light);
     this->Triangle.Draw();
   }
   layers.GetDepths().Unbind(DepthUnit);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rtwReceiverShader.h"
 
+#include "rtwDepthTest.h"
+#include "rtwFilter.h"
+#include "rtwFilterTaps.h"
 #include "rtwLookup.h"
 #include "rtwMapperOutput.h"
 #include "rtwMapperPhase.h"
@@ -12,7 +15,9 @@
 
 #include "vtkShaderProgram.h"
 
+#include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <cstring>
 
 namespace rtw
@@ -115,6 +120,23 @@ std::string FactorCode(const ReceiverShape& shape)
   return code;
 }
 
+// The lattice of taps stays where it is in the world while the eye, where light-plane coordinates
+// begin, moves: but for whole periods, which nobody sees, and which a float doesn't hold.
+void PutTaps(
+  std::vector<float>& taps, const LightFrame& frame, const LookupOptions& options, double size)
+{
+  const bool isSpot = frame.Light.Kind == LightKind::Spot;
+  const double width = std::min(options.FilterWorld, size); // more makes no difference
+  const double spacing = width / (isSpot ? 3 * frame.FarthestDistance : 3.0); // RTW_TAPS_A_RADIUS
+  const double period = 5 * 64 * spacing; // RTW_LATTICE_PERIOD, and lattices up to 64 times wider
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const double place = isSpot ? frame.ConeCentre[axis] : frame.WorldToLight[3][axis];
+    taps.push_back(period > 0 && !isSpot ? float(std::fmod(place, period)) : float(place));
+  }
+  taps.insert(taps.end(), { float(spacing), float(width + options.FilterTexels) });
+}
+
 // What the light pass and the view samples ask of a mapper.
 void InjectGeometry(ReceiverSources sources, const ReceiverShape& shape, std::string& code,
   std::string& atLight, std::string& atEnd)
@@ -171,6 +193,12 @@ std::string DefinitionsOf(const ReceiverShape& shape)
     "\n#define RTW_OTHER_LAYERS " + (shape.OtherLayers ? "1\n" : "0\n");
 }
 
+std::string LookupCode(const ReceiverShape& shape)
+{
+  const bool hasTaps = shape.Filter > 1;
+  return std::string(rtwDepthTest) + rtwFilter + (hasTaps ? rtwFilterTaps : "") + rtwLookup;
+}
+
 void InjectReceiver(
   ReceiverSources sources, const ReceiverShape& shape, Receiving receiving, bool drawsItself)
 {
@@ -189,7 +217,7 @@ void InjectReceiver(
   }
   if (lit)
   {
-    code += direct ? std::string(rtwLookup) + rtwReceiverDirect
+    code += direct ? LookupCode(shape) + rtwReceiverDirect
                    : std::string(rtwMaskValue) + rtwReceiverMasked;
     atLight += FactorCode(shape);
     for (std::size_t k = 0; k < shape.Switched.size(); ++k)
@@ -204,10 +232,11 @@ void InjectReceiver(
   InsertBeforeMain(fragment, code);
 }
 
-ReceiverLights ReceiverLights::Make(
-  const std::vector<LightFrame>& frames, const View& view, double bias, double size)
+ReceiverLights ReceiverLights::Make(const std::vector<LightFrame>& frames, const View& view,
+  const LookupOptions& options, double size)
 {
   ReceiverLights lights;
+  lights.FilterJitter = options.FilterJitter ? 1 : 0;
   lights.Count = static_cast<int>(frames.size());
   for (const LightFrame& frame : frames)
   {
@@ -223,8 +252,9 @@ ReceiverLights ReceiverLights::Make(
       { float(frame.ConeCentre.x), float(frame.ConeCentre.y), float(frame.ConeTangent), 0.f });
     const double depthOfLength = frame.DepthOfLength();
     lights.Tolerance.insert(lights.Tolerance.end(),
-      { 4e-7f, float(2e-6 * size * depthOfLength), float(bias * size * depthOfLength),
+      { 4e-7f, float(2e-6 * size * depthOfLength), float(options.Bias * size * depthOfLength),
         frame.Light.Kind == LightKind::Spot ? float(2.5e-7 * size) : 0.f });
+    PutTaps(lights.Taps, frame, options, size);
     lights.Attenuation.push_back(float(frame.Light.Attenuation));
   }
   return lights;
@@ -271,6 +301,12 @@ void ReceiverUniforms::Set(vtkShaderProgram* program) const
       "rtwCone", n, reinterpret_cast<const float(*)[4]>(this->Lights.Cone.data()));
     program->SetUniform4fv("rtwTolerance", n,
       reinterpret_cast<const float(*)[4]>(this->Lights.Tolerance.data()));
+    if (program->IsUniformUsed("rtwTaps"))
+    {
+      program->SetUniformi("rtwFilterJitter", this->Lights.FilterJitter);
+      program->SetUniform4fv(
+        "rtwTaps", n, reinterpret_cast<const float(*)[4]>(this->Lights.Taps.data()));
+    }
   }
 }
 }

@@ -40,8 +40,11 @@ struct ReceiverShape
   bool operator==(const ReceiverShape& other) const;
 };
 
-/// The definitions that GLSL needs before rtwLookup.glsl.
+/// The definitions that GLSL needs before LookupCode().
 std::string DefinitionsOf(const ReceiverShape& shape);
+/// What stands between the warp and rtwVisibility(), and that itself: the same for the mask and for
+/// mappers.
+std::string LookupCode(const ReceiverShape& shape);
 
 struct ReceiverSources
 {
@@ -56,14 +59,24 @@ void MarkPlaces(std::string& fragment);
 void InjectReceiver(ReceiverSources sources, const ReceiverShape& shape, Receiving receiving,
   bool drawsItself);
 
+/// What a lookup goes by.
+struct LookupOptions
+{
+  double Bias = 0;         ///< a share of the scene's size
+  double FilterTexels = 0; ///< radius of PCF
+  double FilterWorld = 0;  ///< of SOFT, in world units; one of the two is 0
+  bool FilterJitter = false;
+};
+
 /// Each light's parameters, as arrays of floats.
 struct ReceiverLights
 {
-  std::vector<float> ToLight, Cone, Tolerance, Attenuation;
+  std::vector<float> ToLight, Cone, Tolerance, Taps, Attenuation;
+  int FilterJitter = 0;
   int Count = 0;
 
-  static ReceiverLights Make(
-    const std::vector<LightFrame>& frames, const View& view, double bias, double size);
+  static ReceiverLights Make(const std::vector<LightFrame>& frames, const View& view,
+    const LookupOptions& options, double size);
 };
 
 struct ReceiverUniforms

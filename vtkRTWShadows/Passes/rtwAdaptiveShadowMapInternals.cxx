@@ -37,12 +37,13 @@ std::uint64_t vtkAdaptiveShadowMapPass::Internals::Sign(vtkMTimeType warpTime) c
   signature = rtw::Mix(signature, std::uint64_t(o.Resolution));
   signature = rtw::Mix(signature, std::uint64_t(o.ViewSampleStride));
   signature = rtw::Mix(signature, std::uint64_t(o.Shape.Filter));
-  signature = rtw::Mix(rtw::Mix(signature, std::uint64_t(o.Shape.DepthTest)), o.Bias);
+  signature = rtw::Mix(rtw::Mix(signature, std::uint64_t(o.Shape.DepthTest)), o.Lookup.Bias);
+  signature = rtw::Mix(rtw::Mix(signature, o.Lookup.FilterTexels), o.Lookup.FilterWorld);
   signature = rtw::Mix(signature, o.Casters.EdgeLength);
   return rtw::Mix(signature,
-    std::uint64_t(o.FocusOnView) | std::uint64_t(o.Casters.Cull) << 1 |
-      std::uint64_t(o.Casters.Bends) << 8 | std::uint64_t(o.Masked) << 3 |
-      std::uint64_t(o.PreviousFrame) << 4);
+    std::uint64_t(o.FocusOnView) | std::uint64_t(o.Casters.Cull) << 1 | std::uint64_t(o.Masked) << 2 |
+      std::uint64_t(o.PreviousFrame) << 3 | std::uint64_t(o.Lookup.FilterJitter) << 4 |
+      std::uint64_t(o.Casters.Bends) << 8);
 }
 
 vtkAdaptiveShadowMapPass::Internals::Attachment::Attachment(Internals& internals, vtkAdaptiveShadowMapPass* pass,

@@ -40,6 +40,7 @@ public:
   bool WarnedOfBrokenLights = false;
   bool WarnedOfResolution = false;
   bool WarnedOfUnits = false;
+  bool WarnedOfFilterRadius = false;
 
   bool Has(int light) const
   {

@@ -157,7 +157,7 @@ ReceiverUniforms ShadowPipeline::MakeUniforms(const PipelineOptions& options) co
   uniforms.RayStep = glm::vec3(ViewSampler::RayStep(this->Viewed));
   uniforms.DepthToSample = glm::vec2(ViewSampler::DepthToSample(this->Viewed));
   uniforms.Lights =
-    ReceiverLights::Make(this->Frames, this->Viewed, options.Bias, this->SceneSize);
+    ReceiverLights::Make(this->Frames, this->Viewed, options.Lookup, this->SceneSize);
   return uniforms;
 }
 

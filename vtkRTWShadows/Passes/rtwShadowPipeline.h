@@ -39,7 +39,7 @@ struct PipelineOptions
   bool FocusOnView = true;
   bool Caching = true;
   CasterOptions Casters;
-  double Bias = 0;
+  LookupOptions Lookup;
   ReceiverShape Shape;
   bool Masked = true; ///< whether the picture takes its shadows from the mask
   std::uint64_t Signature = 0; ///< of all settings, the warp's among them
@@ -107,7 +107,7 @@ private:
   bool Build();
   void Abandon();
   void MakeFrames(const FrameScene& scene, const std::vector<ShadowLight>& lights);
-  std::vector<Rectangle> UnsampledReceivers(const FrameScene& scene) const;
+  std::vector<Rectangle> UnsampledReceivers(const FrameScene& scene, double beyond) const;
   std::uint64_t Sign(const FrameScene& scene, const std::vector<ShadowLight>& lights,
     const PipelineOptions& options) const;
   void Draw(const FrameScene& scene, const std::vector<ShadowLight>& lights,

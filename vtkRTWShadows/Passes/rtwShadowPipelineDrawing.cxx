@@ -13,11 +13,11 @@ namespace rtw
 {
 namespace
 {
-constexpr float LeastMargin = 1e-4f;     // of the focus, for rounding
-constexpr float ResampledMargin = 0.05f; // for what the last frame has not seen
+constexpr double ResampledMargin = 0.05; // of the focus, for what the last frame has not seen
 }
 
-std::vector<Rectangle> ShadowPipeline::UnsampledReceivers(const FrameScene& scene) const
+std::vector<Rectangle> ShadowPipeline::UnsampledReceivers(
+  const FrameScene& scene, double beyond) const
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   std::vector<Rectangle> result;
@@ -31,8 +31,10 @@ std::vector<Rectangle> ShadowPipeline::UnsampledReceivers(const FrameScene& scen
       bounds.Low = glm::min(bounds.Low, l.x < infinity ? l : frame.Bounds.Low);
       bounds.High = glm::max(bounds.High, l.x < infinity ? l : frame.Bounds.High);
     }
-    bounds.Low = glm::max(bounds.Low, frame.Bounds.Low);
-    bounds.High = glm::min(bounds.High, frame.Bounds.High);
+    const bool isSpot = frame.Light.Kind == LightKind::Spot;
+    const double margin = isSpot ? beyond / frame.NearestDistance : beyond;
+    bounds.Low = glm::max(bounds.Low - margin, frame.Bounds.Low);
+    bounds.High = glm::min(bounds.High + margin, frame.Bounds.High);
     result.push_back(bounds);
   }
   return result;
@@ -69,7 +71,10 @@ void ShadowPipeline::Analyse(const FrameScene& scene, const PipelineOptions& opt
 {
   const int stride = this->Resampled ? 1 : options.ViewSampleStride;
   std::vector<LightFrame> frames = this->Frames;
-  std::vector<Rectangle> unsampled = this->UnsampledReceivers(scene);
+  const FilterReach reach{ options.Lookup.FilterWorld,
+    options.Lookup.FilterTexels / double(options.Resolution) +
+      (this->Resampled ? ResampledMargin : 0) };
+  std::vector<Rectangle> unsampled = this->UnsampledReceivers(scene, reach.World);
   if (this->OtherLayers > 0)
   {
     frames.insert(frames.end(), this->Frames.begin(), this->Frames.end());
@@ -78,8 +83,7 @@ void ShadowPipeline::Analyse(const FrameScene& scene, const PipelineOptions& opt
   if (options.FocusOnView && this->OwnDrawing)
   {
     StageTimers::Scope timer(this->Timers, "focus");
-    this->Focus.Reduce(frames, unsampled, this->Sampler, stride,
-      this->Resampled ? ResampledMargin : LeastMargin, this->Table);
+    this->Focus.Reduce(frames, unsampled, this->Sampler, stride, reach, this->Table);
   }
   else
   {
@@ -162,7 +166,7 @@ void ShadowPipeline::DrawMask(const PipelineOptions& options)
   if (this->HasSamples && this->Masking.Build(options.Shape))
   {
     this->Masking.Render(
-      ReceiverLights::Make(this->Frames, this->Viewed, options.Bias, this->SceneSize),
+      ReceiverLights::Make(this->Frames, this->Viewed, options.Lookup, this->SceneSize),
       this->OtherLayers, this->Sampler, this->Layers, this->Table);
     this->HasMask = true;
   }

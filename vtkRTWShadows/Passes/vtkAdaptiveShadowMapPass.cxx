@@ -18,6 +18,7 @@
 #include "vtkShaderProgram.h"
 #include "vtkShadowMapPartition.h"
 
+#include <algorithm>
 #include <cstring>
 #include <set>
 #include <utility>
@@ -87,6 +88,24 @@ void vtkAdaptiveShadowMapPass::WarnOnce()
   }
 }
 
+rtw::LookupOptions vtkAdaptiveShadowMapPass::MakeLookupOptions()
+{
+  constexpr double MostTexels = 8;
+  rtw::LookupOptions options;
+  options.Bias = this->ConstantBias;
+  options.FilterJitter = this->FilterJitter;
+  options.FilterWorld = this->Filter == SOFT ? this->FilterRadius : 0;
+  options.FilterTexels = this->Filter == PCF ? std::min(this->FilterRadius, MostTexels) : 0;
+  if (this->Filter == PCF && this->FilterRadius > MostTexels &&
+    !this->Shadows->WarnedOfFilterRadius)
+  {
+    this->Shadows->WarnedOfFilterRadius = true;
+    vtkWarningMacro("FilterRadius " << this->FilterRadius << " is more than PCF's largest; using "
+                                    << MostTexels << " texels");
+  }
+  return options;
+}
+
 void vtkAdaptiveShadowMapPass::Bake(const vtkRenderState* s)
 {
   vtkRenderer* renderer = s->GetRenderer();
@@ -122,7 +141,7 @@ void vtkAdaptiveShadowMapPass::Bake(const vtkRenderState* s)
   my.Options.Caching = this->Caching;
   my.Options.Casters = { this->CullCasters, static_cast<rtw::Bending>(this->Rasterization),
     this->MaximumEdgeLength };
-  my.Options.Bias = this->ConstantBias;
+  my.Options.Lookup = this->MakeLookupOptions();
   // Samples of a pixel see other surfaces than its centre; without own programs a mask would cost a pass through VTK's mappers.
   my.Options.Masked = my.Pipeline.HasOwnDrawing() && window->GetMultiSamples() <= 1 &&
     !my.Options.PreviousFrame;

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkAdaptiveShadowMapPass
- * @brief   hard shadows by shadow maps that adapt to the view
+ * @brief   shadows by shadow maps that adapt to the view
  *
- * A vtkShadowMapPass that takes VTK's place: in the classic chain of baker and pass, or, for a whole frame with translucency,
- * volumes and overlays, in a vtkShadowRenderStepsPass. Directional lights and spots (cones below 90°) cast shadows; all
- * other lights shine as usual.
+ * A vtkShadowMapPass that takes VTK's place: in the classic chain of baker and pass, or, for a
+ * whole frame with translucency, volumes and overlays, in a vtkShadowRenderStepsPass. Directional
+ * lights and spots (cones below 90°) cast shadows; all other lights shine as usual.
  *
- * A technique is a point in a space of independent axes: how what a light shines on is divided into layers
- * (SetPartition), and how the texels of a layer are spread (SetWarp). Subclasses are presets that name
- * one. This class by itself has one layer without a warp.
+ * A technique is a point in a space of independent axes: how what a light shines on is divided into
+ * layers (SetPartition), and how the texels of a layer are spread (SetWarp). Subclasses are presets
+ * that name one. This class by itself has one layer without a warp.
  *
  * There is nothing to tune: Resolution is the one number that trades time and memory for accuracy.
  *
@@ -39,6 +39,7 @@ class vtkShadowMapWarp;
 namespace rtw
 {
 struct LightFrame;
+struct LookupOptions;
 }
 
 class VTKRTWSHADOWS_EXPORT vtkAdaptiveShadowMapPass : public vtkShadowMapPass
@@ -53,8 +54,12 @@ public:
    */
   enum Filters
   {
-    NEAREST = 0, ///< the texel that the receiver falls on
-    BILINEAR = 1 ///< the four nearest, weighted by distance
+    NEAREST = 0,  ///< the texel that the receiver falls on
+    BILINEAR = 1, ///< the four nearest, weighted by distance
+    PCF = 2, ///< those within FilterRadius texels on the map: smooth edges, as fine as the map is
+             ///< at each place
+    SOFT = 3 ///< those within FilterRadius in the world: penumbras as wide everywhere, however the
+             ///< map is warped
   };
 
   /**
@@ -109,12 +114,40 @@ public:
 
   ///@{
   /**
-   * One of Filters; any other value is refused with an error. Default: BILINEAR.
+   * One of Filters; any other value is refused with an error. Each texel's decision is made by the
+   * DepthTest, whatever the filter, so that wide ones need no bias either. PCF and SOFT (Rosen
+   * 2012, section 6.2) weight up to 49 decisions, seven a side, by a Gaussian, against four of
+   * BILINEAR. Default: BILINEAR.
    */
   virtual void SetFilter(int filter);
   vtkGetMacro(Filter, int);
   void SetFilterToNearest() { this->SetFilter(NEAREST); }
   void SetFilterToBilinear() { this->SetFilter(BILINEAR); }
+  void SetFilterToPCF() { this->SetFilter(PCF); }
+  void SetFilterToSoft() { this->SetFilter(SOFT); }
+  ///@}
+
+  ///@{
+  /**
+   * How far PCF and SOFT look around a receiver. Of PCF in texels, 0 to 8: more is taken for 8,
+   * with a warning, when it is first drawn. Of SOFT in world units, measured across the light's
+   * direction where the shadow falls, under a spot too, whose light spreads: a penumbra is twice as
+   * wide, or as a texel, if that is more. 0 is BILINEAR. What is negative, not a number, or above
+   * 1e30 is refused with an error. A change compiles no shader. Default: 2.
+   */
+  virtual void SetFilterRadius(double radius);
+  vtkGetMacro(FilterRadius, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether PCF and SOFT displace their taps from pixel to pixel, by a pattern that stays the same
+   * from frame to frame. It turns what is left of steps in wide penumbras into grain. PCF of up to
+   * 2 texels takes every texel and looks the same. Default: off.
+   */
+  vtkSetMacro(FilterJitter, bool);
+  vtkGetMacro(FilterJitter, bool);
+  vtkBooleanMacro(FilterJitter, bool);
   ///@}
 
   ///@{
@@ -326,6 +359,8 @@ protected:
 
   bool FocusOnView = true;
   int Filter = BILINEAR;
+  double FilterRadius = 2;
+  bool FilterJitter = false;
   int DepthTest = DUAL;
   double ConstantBias = 0.002;
   int Rasterization = AUTOMATIC;
@@ -347,6 +382,7 @@ private:
 
   void SetShare(double& member, double share, double least, const char* property);
   bool Choose(int& member, int value, bool valid, const char* property, const char* choices);
+  rtw::LookupOptions MakeLookupOptions();
   void Bake(const vtkRenderState* s);
   void WarnOnce();
   void DrawCasters(vtkRenderer* renderer, int layer, const rtw::LightFrame& frame);

@@ -42,8 +42,23 @@ bool vtkAdaptiveShadowMapPass::Choose(
 
 void vtkAdaptiveShadowMapPass::SetFilter(int filter)
 {
-  this->Choose(this->Filter, filter, filter == NEAREST || filter == BILINEAR, "Filter",
-    "NEAREST (0) or BILINEAR (1)");
+  this->Choose(this->Filter, filter, filter >= NEAREST && filter <= SOFT, "Filter",
+    "NEAREST (0), BILINEAR (1), PCF (2) or SOFT (3)");
+}
+
+void vtkAdaptiveShadowMapPass::SetFilterRadius(double radius)
+{
+  if (!(radius >= 0 && radius <= 1e30))
+  {
+    vtkErrorMacro("SetFilterRadius(" << radius << "): expected a number from 0 to 1e30; keeping "
+                                     << this->FilterRadius);
+    return;
+  }
+  if (this->FilterRadius != radius)
+  {
+    this->FilterRadius = radius;
+    this->Modified();
+  }
 }
 
 void vtkAdaptiveShadowMapPass::SetDepthTest(int test)
@@ -262,6 +277,8 @@ void vtkAdaptiveShadowMapPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Resolution: " << this->GetResolution() << "\n";
   os << indent << "FocusOnView: " << this->FocusOnView << "\n";
   os << indent << "Filter: " << this->Filter << "\n";
+  os << indent << "FilterRadius: " << this->FilterRadius << "\n";
+  os << indent << "FilterJitter: " << this->FilterJitter << "\n";
   os << indent << "DepthTest: " << this->DepthTest << "\n";
   os << indent << "ConstantBias: " << this->ConstantBias << "\n";
   os << indent << "Rasterization: " << this->Rasterization << "\n";

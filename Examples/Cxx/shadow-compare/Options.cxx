@@ -78,10 +78,20 @@ std::vector<rtw::CommandLineOption> Entries(Options& options)
       [&](const std::string& value) { options.Pieces = ReadWhole("--pieces", value, 1, 100000); } },
     { "--frames", "N", "that are timed, of each kind; default 10",
       [&](const std::string& value) { options.Frames = ReadWhole("--frames", value, 1, 100000); } },
-    { "--filter", "F", "nearest or bilinear",
+    { "--filter", "F", "nearest, bilinear, pcf or soft",
       [&](const std::string& value) {
-        settings.Filtering = Choose<Filter>(
-          "--filter", value, { { "nearest", Filter::NEAREST }, { "bilinear", Filter::BILINEAR } });
+        settings.Filtering = Choose<Filter>("--filter", value,
+          { { "nearest", Filter::NEAREST }, { "bilinear", Filter::BILINEAR },
+            { "pcf", Filter::PCF }, { "soft", Filter::SOFT } });
+      } },
+    { "--filter-radius", "R", "texels of pcf, 0 to 8; world units of soft; default 2",
+      [&](const std::string& value) {
+        settings.FilterRadius = ReadNumber("--filter-radius", value, 0, 1e30);
+      } },
+    { "--filter-jitter", "on|off", "whether pcf and soft displace their taps from pixel to pixel",
+      [&](const std::string& value) {
+        settings.FilterJitter =
+          Choose<bool>("--filter-jitter", value, { { "on", true }, { "off", false } });
       } },
     { "--depth-test", "T", "dual, receiver-plane or constant-bias",
       [&](const std::string& value) {
