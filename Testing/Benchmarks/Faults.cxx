@@ -42,10 +42,11 @@ public:
   int GetCells() const override { return this->Whole->GetCells(); }
   bool Build() override { return this->Whole->Build(); }
   std::string GetLog() const override { return this->Whole->GetLog(); }
-  void Run(const std::vector<rtw::LightFrame>& frames, const rtw::ViewSampler& samples, int stride,
+  int GetLightImageSize() const override { return this->Whole->GetLightImageSize(); }
+  void Run(const std::vector<rtw::LightFrame>& frames, const rtw::AnalysisInput& input,
     const rtw::WarpTable& table) override
   {
-    this->Whole->Run(frames, samples, stride, table);
+    this->Whole->Run(frames, input, table);
   }
   glm::dvec2 ReadGreatestDensity(int layer) const override
   {

@@ -41,6 +41,49 @@ int ToDepthTest(DepthTest test)
   }
 }
 
+int ToBit(Importance importance)
+{
+  return 1 << static_cast<int>(importance); // vtkRectilinearShadowMapWarp has them in this order
+}
+
+static_assert(
+  1 << static_cast<int>(Importance::SAMPLE_COUNT) == vtkRTWShadowMapPass::SAMPLE_COUNT &&
+    1 << static_cast<int>(Importance::SQRT_DEMAND) == vtkRTWShadowMapPass::SQRT_DEMAND &&
+    static_cast<int>(Analysis::HYBRID) == vtkRTWShadowMapPass::HYBRID,
+  "one order");
+
+void ConfigureImportance(vtkRTWShadowMapPass* pass, const TechniqueSettings& settings)
+{
+  int functions = 0;
+  for (const Importance importance : settings.ImportanceKinds)
+  {
+    functions |= ToBit(importance);
+  }
+  pass->SetImportance(functions > 0 ? functions : pass->GetImportance());
+  if (settings.AnalysisKind)
+  {
+    pass->SetAnalysis(static_cast<int>(*settings.AnalysisKind));
+  }
+  if (settings.EdgeThreshold)
+  {
+    pass->SetEdgeThreshold(*settings.EdgeThreshold);
+  }
+  if (settings.LightImage)
+  {
+    pass->SetLightImageResolution(*settings.LightImage);
+  }
+  if (settings.Interest)
+  {
+    pass->SetInterestToSphere();
+    pass->SetInterestCentre(settings.Interest->data());
+    pass->SetInterestRadius(settings.Interest->back());
+  }
+  if (settings.UserFunction)
+  {
+    pass->SetUserFunction(settings.UserFunction->c_str());
+  }
+}
+
 void Configure(vtkAdaptiveShadowMapPass* pass, const TechniqueSettings& settings)
 {
   pass->SetResolution(unsigned(settings.Resolution));
@@ -122,13 +165,7 @@ std::unique_ptr<Technique> MakeUniformTechnique(const TechniqueSettings& setting
 std::unique_ptr<Technique> MakeRTWTechnique(const TechniqueSettings& settings)
 {
   vtkNew<vtkRTWShadowMapPass> pass;
-  if (settings.ImportanceKind)
-  {
-    pass->SetImportance(*settings.ImportanceKind == Importance::SQRT_DEMAND
-        ? vtkRTWShadowMapPass::SQRT_DEMAND
-        : vtkRTWShadowMapPass::DESIRED_VIEW | vtkRTWShadowMapPass::DISTANCE_TO_EYE |
-          vtkRTWShadowMapPass::SURFACE_NORMAL);
-  }
+  ConfigureImportance(pass, settings);
   return std::make_unique<AdaptiveTechnique>(pass, settings);
 }
 }

@@ -4,6 +4,7 @@
 
 #include "rtwAliasing.h"
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -30,10 +31,25 @@ enum class DepthTest
   CONSTANT_BIAS
 };
 
+/// Of rtw; several are multiplied.
 enum class Importance
 {
+  DESIRED_VIEW,
+  DISTANCE_TO_EYE,
+  SURFACE_NORMAL,
   SQRT_DEMAND,
-  PUBLISHED
+  SHADOW_EDGE,
+  CENTRE_OF_INTEREST,
+  USER_FUNCTION,
+  FOOTPRINT,
+  SAMPLE_COUNT
+};
+
+enum class Analysis
+{
+  FORWARD,
+  BACKWARD,
+  HYBRID
 };
 
 /// Settings that are not given stay what the technique has by itself.
@@ -45,8 +61,13 @@ struct TechniqueSettings
   std::optional<bool> FilterJitter;
   std::optional<DepthTest> Test;
   std::optional<bool> Focus;
-  std::optional<Importance> ImportanceKind;
-  bool Stages = false; // whether to time the stages on the GPU
+  std::vector<Importance> ImportanceKinds; // empty: not given
+  std::optional<Analysis> AnalysisKind;
+  std::optional<double> EdgeThreshold;
+  std::optional<int> LightImage;                 // texels a side
+  std::optional<std::array<double, 4>> Interest; // a sphere's centre and radius
+  std::optional<std::string> UserFunction;       // GLSL
+  bool Stages = false;                           // whether to time the stages on the GPU
 };
 
 struct Stage

@@ -1,27 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whole scenes against exact rays, at 1024 × 1024 pixels and texels: each technique within 1.15 times, + 0.1, of what its
-// parameterization can reach when every texel holds an exact ray, and all of them in the mean within 1.1 times, + 0.05.
+// Whole scenes against exact rays, at 1024 × 1024 pixels and texels: each technique within 1.15
+// times, + 0.1, of what its parameterization can reach when every texel holds an exact ray, and all
+// of them in the mean within 1.1 times, + 0.05.
+#include "rtwSceneStage.h"
 #include "rtwTest.h"
 
-#include "rtwCompare.h"
-#include "rtwReference.h"
-#include "rtwScene.h"
-
-#include "vtkLight.h"
-#include "vtkLightCollection.h"
-#include "vtkNew.h"
 #include "vtkRTWShadowMapPass.h"
-#include "vtkRenderWindow.h"
-#include "vtkRenderer.h"
-#include "vtkShadowRenderStepsPass.h"
 #include "vtkUniformShadowMapPass.h"
 
 #include <iostream>
 
 namespace
 {
-constexpr int Published =
-  vtkRTWShadowMapPass::DESIRED_VIEW | vtkRTWShadowMapPass::DISTANCE_TO_EYE | vtkRTWShadowMapPass::SURFACE_NORMAL;
+constexpr int Published = vtkRTWShadowMapPass::DESIRED_VIEW | vtkRTWShadowMapPass::DISTANCE_TO_EYE |
+  vtkRTWShadowMapPass::SURFACE_NORMAL;
 
 // The least error that is possible, in percent of the pixels that face the light.
 struct Limit
@@ -65,41 +57,8 @@ vtkSmartPointer<vtkAdaptiveShadowMapPass> MakePass(const std::string& technique)
   return pass;
 }
 
-struct Stage
-{
-  vtkNew<vtkRenderWindow> Window;
-  vtkNew<vtkRenderer> Renderer;
-  rtw::Truth Truth;
-  std::string Name;
-
-  explicit Stage(const std::string& scene)
-    : Name(scene)
-  {
-    this->Window->SetSize(1024, 1024);
-    this->Window->SetMultiSamples(0);
-    this->Window->AddRenderer(this->Renderer);
-    rtw::AddToRenderer(rtw::MakeScene(scene), this->Renderer);
-    auto* light = vtkLight::SafeDownCast(this->Renderer->GetLights()->GetItemAsObject(0));
-    this->Truth = rtw::ShadowReference(this->Renderer).Trace(light, 1024, 1024);
-  }
-
-  // The error in percent.
-  rtw::ShadowErrors Measure(vtkAdaptiveShadowMapPass* pass)
-  {
-    vtkNew<vtkShadowRenderStepsPass> steps;
-    steps->SetShadowMapPass(pass);
-    this->Renderer->SetPass(steps);
-    this->Window->Render();
-    const rtw::ShadowErrors errors =
-      rtw::Compare(rtw::MaskOf(pass->GetShadowMask(0)), this->Truth);
-    steps->ReleaseGraphicsResources(this->Window);
-    this->Renderer->SetPass(nullptr);
-    return errors;
-  }
-};
-
 // Acne and leaks: wrong pixels more than two pixels from any true edge, at 2048 × 2048 texels.
-void TestFarFromEdges(Stage& stage, double bound)
+void TestFarFromEdges(rtwSceneStage& stage, double bound)
 {
   auto pass = MakePass("rtw");
   pass->SetResolution(2048);
@@ -109,10 +68,11 @@ void TestFarFromEdges(Stage& stage, double bound)
   RTW_CHECK(far < bound);
 }
 
-double Measure(Stage& stage, const Limit& limit, bool bilinear)
+double Measure(rtwSceneStage& stage, const Limit& limit, bool bilinear)
 {
   auto pass = MakePass(limit.Technique);
-  pass->SetFilter(bilinear ? vtkAdaptiveShadowMapPass::BILINEAR : vtkAdaptiveShadowMapPass::NEAREST);
+  pass->SetFilter(
+    bilinear ? vtkAdaptiveShadowMapPass::BILINEAR : vtkAdaptiveShadowMapPass::NEAREST);
   const rtw::ShadowErrors errors = stage.Measure(pass);
   const double wrong = errors.Percent(errors.Wrong());
   const double least = bilinear ? limit.Bilinear : limit.Nearest;
@@ -123,11 +83,11 @@ double Measure(Stage& stage, const Limit& limit, bool bilinear)
   return wrong;
 }
 
-// A curved mesh of 320 000 triangles under a low sun: the dual depth test has at most a third of the error of the usual
-// receiver-plane bias.
+// A curved mesh of 320 000 triangles under a low sun: the dual depth test has at most a third of
+// the error of the usual receiver-plane bias.
 void TestCurvedMesh()
 {
-  Stage stage("terrain");
+  rtwSceneStage stage("terrain");
   auto pass = MakePass("rtw");
   const rtw::ShadowErrors dual = stage.Measure(pass);
   pass->SetDepthTestToReceiverPlane();
@@ -146,7 +106,7 @@ int TestSceneAccuracy(int, char*[])
   double sum = 0, least = 0;
   for (const Case& each : Cases)
   {
-    Stage stage(each.Scene);
+    rtwSceneStage stage(each.Scene);
     for (const Limit& limit : each.Limits)
     {
       for (const bool bilinear : { false, true })

@@ -267,7 +267,7 @@ void TestSettings()
   vtkNew<vtkRectilinearShadowMapWarp> warp;
   rtwMessageCatcher messages(warp);
   warp->SetImportance(0);
-  warp->SetImportance(16);
+  warp->SetImportance(512);
   RTW_CHECK_EQUAL(messages.GetNumberOfErrors(), 2);
   RTW_CHECK_EQUAL(warp->GetImportance(), int(vtkRectilinearShadowMapWarp::SQRT_DEMAND));
   warp->SetBlurSigma(NotANumber);

@@ -139,6 +139,24 @@ class TestSwitch(unittest.TestCase):
         shadows.SetFilterToNearest()
         self.assertGreater(soft, len(set(map(tuple, plotter.picture()))) + 20)
 
+    def test_importance(self):
+        plotter = Plotter()
+        without = plotter.picture()
+        rtw = rtwshadows.vtkRTWShadowMapPass
+        shadows = rtwshadows.enable_shadows(
+            plotter, importance=rtw.SQRT_DEMAND | rtw.SHADOW_EDGE | rtw.USER_FUNCTION,
+            analysis="hybrid", light_image_resolution=256, edge_threshold=0.002,
+            surface_normal_bonus=1, interest="sphere", interest_centre=(1, 2, 3),
+            interest_radius=2, interest_view_radius=0.3, interest_bonus=3,
+            user_function="0.5 + luminance")
+        self.assertEqual(shadows.GetAnalysis(), rtw.HYBRID)
+        self.assertEqual(shadows.GetLightImageResolution(), 256)
+        self.assertEqual(shadows.GetInterest(), rtw.SPHERE)
+        self.assertEqual(tuple(shadows.GetInterestCentre()), (1, 2, 3))
+        self.assertEqual(shadows.GetUserFunction(), "0.5 + luminance")
+        darker = (without - plotter.picture()).max(axis=1) > 60
+        self.assertTrue(0.005 < darker.mean() < 0.2)
+
     def test_errors_change_nothing(self):
         plotter = Plotter()
         rtwshadows.enable_shadows(plotter)

@@ -26,8 +26,8 @@ void Buffer::Reserve(std::size_t bytes, bool keep)
     if (keep)
     {
       glBindBuffer(GL_COPY_READ_BUFFER, this->Id);
-      glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0,
-        static_cast<GLsizeiptr>(this->Size));
+      glCopyBufferSubData(
+        GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0, static_cast<GLsizeiptr>(this->Size));
       glBindBuffer(GL_COPY_READ_BUFFER, 0);
     }
     glDeleteBuffers(1, &this->Id);
@@ -44,16 +44,26 @@ void Buffer::Write(std::size_t offset, const void* data, std::size_t bytes)
     return;
   }
   glBindBuffer(GL_COPY_WRITE_BUFFER, this->Id);
-  glBufferSubData(GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(offset),
-    static_cast<GLsizeiptr>(bytes), data);
+  glBufferSubData(
+    GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes), data);
+  glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
+}
+
+void Buffer::Copy(std::size_t to, const Buffer& other, std::size_t from, std::size_t bytes)
+{
+  glBindBuffer(GL_COPY_READ_BUFFER, other.Id);
+  glBindBuffer(GL_COPY_WRITE_BUFFER, this->Id);
+  glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(from),
+    static_cast<GLintptr>(to), static_cast<GLsizeiptr>(bytes));
+  glBindBuffer(GL_COPY_READ_BUFFER, 0);
   glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
 }
 
 void Buffer::Read(std::size_t offset, void* data, std::size_t bytes) const
 {
   glBindBuffer(GL_COPY_READ_BUFFER, this->Id);
-  glGetBufferSubData(GL_COPY_READ_BUFFER, static_cast<GLintptr>(offset),
-    static_cast<GLsizeiptr>(bytes), data);
+  glGetBufferSubData(
+    GL_COPY_READ_BUFFER, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes), data);
   glBindBuffer(GL_COPY_READ_BUFFER, 0);
 }
 

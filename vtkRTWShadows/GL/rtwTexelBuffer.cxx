@@ -29,6 +29,12 @@ void TexelBuffer::Write(std::size_t first, const float* values, std::size_t elem
   this->Values.Write(first * this->ElementSize(), values, elements * this->ElementSize());
 }
 
+void TexelBuffer::CopyElement(std::size_t to, const TexelBuffer& other, std::size_t from)
+{
+  const std::size_t size = this->ElementSize();
+  this->Values.Copy(to * size, other.Values, from * size, size);
+}
+
 void TexelBuffer::Read(float* values, std::size_t elements) const
 {
   this->Values.Read(0, values, elements * this->ElementSize());

@@ -21,6 +21,8 @@ public:
   /// of it.
   void Allocate(int components, std::size_t elements);
   void Write(std::size_t first, const float* values, std::size_t elements);
+  /// From another buffer with elements as large, on the GPU.
+  void CopyElement(std::size_t to, const TexelBuffer& other, std::size_t from);
   void Read(float* values, std::size_t elements) const;
   /// Binds it to a texture unit, by its number.
   void Bind(int unit) const;

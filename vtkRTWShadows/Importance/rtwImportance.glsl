@@ -1,100 +1,121 @@
-// What the view samples ask for along each axis of the light plane, collapsed to one value a column and one a row.
+// What a sample asks for: the product of the chosen functions (Rosen 2012, section 5), and how a column and a row collect it.
 //
-// Published (Rosen 2012, sections 4.2 and 5): the product of the chosen functions, the largest in a column counts. √demand: the
-// sum of one over the footprint, because a shadow edge that is a texel off costs a pixel that share; its square root
-// is taken where the warping map is built.
+// Published: the largest in a column counts (section 4.2). √demand: the sum of one over the footprint, because a shadow edge that
+// is a texel off costs a pixel that share; its square root is taken where the warping map is built.
 layout(local_size_x = 16, local_size_y = 16) in;
-const int TILE = 64;
-const int MOST_CELLS = 2048;
 const int DISTANCE_TO_EYE = 2;
 const int SURFACE_NORMAL = 4;
 const int SQRT_DEMAND = 8;
-const float LARGEST = 1048575.0; // 4096 samples of a tile that all ask for so much don't overflow a sum
+const int SHADOW_EDGE = 16;
+const int CENTRE_OF_INTEREST = 32;
+const int USER_FUNCTION = 64;
+const int FOOTPRINT = 128;
+const int SAMPLE_COUNT = 256;
+const float ALPHA = 0.001;         // of what lies at no shadow edge (section 5.3)
+const float GRAZING = 1e-3;        // least area of a footprint, of the square over its longer side
+const float LARGEST = 1048575.0;   // 4096 samples of a tile that all ask for so much don't overflow a sum
+const float COUNT_UNIT = 1024.0;   // sums are whole numbers
 
 layout(std430, binding = 0) buffer Profile
 {
-  uint rtwProfile[]; // a layer, an axis, a cell: low and high part of a sum, or the bits of a maximum
+  uint rtwProfile[]; // an axis of a layer, a profile, a cell: low and high part of a sum, or the bits of a maximum
 };
 uniform int rtwLayer;
 uniform int rtwFunctions;
 uniform float rtwNearest; // distance that has the importance 1
 uniform float rtwBeta;    // bonus of a surface that is seen head on
-shared uint rtwTile[2 * MOST_CELLS];
+uniform mat4 rtwViewToClip;
+uniform vec2 rtwAspect;      // from clip coordinates to halves of the picture's smaller side
+uniform vec4 rtwInterest;    // centre in view coordinates, and radius there or on the screen
+uniform int rtwInterestSide; // 1: the screen's centre
+uniform float rtwInterestBonus;
+uniform vec4 rtwTowardsLight; // in view coordinates: where the light stands, or its direction and 0
 
-float rtwFunction(LitSample s)
+bool rtwIsOn(int function)
+{
+  return (rtwFunctions & function) != 0;
+}
+
+bool rtwIsSum()
+{
+  return rtwIsOn(SQRT_DEMAND | SAMPLE_COUNT);
+}
+
+// All of the bonus in the sphere, none from its double on.
+float rtwInterestAt(vec3 position)
+{
+  vec4 clip = rtwViewToClip * vec4(position, 1.0);
+  float away = rtwInterestSide != 0 ? length(clip.xy / clip.w * rtwAspect) : distance(position, rtwInterest.xyz);
+  return 1.0 + rtwInterestBonus * (1.0 - smoothstep(1.0, 2.0, away / rtwInterest.w));
+}
+
+// What the light alone would give a white, matte surface.
+float rtwLuminance(LitSample s)
+{
+  return clamp(dot(s.normal, normalize(rtwTowardsLight.xyz - rtwTowardsLight.w * s.position)), 0.0, 1.0);
+}
+
+float rtwUserValue(LitSample s, vec4 focus)
+{
+  float value = rtwUserFunction(s.position, s.normal, -s.position.z, rtwLuminance(s), s.footprint * focus.yw);
+  return value > 0.0 ? min(value, LARGEST) : 0.0; // nor is what is not a number
+}
+
+float rtwFunction(LitSample s, vec4 focus, bool edge)
 {
   float value = 1.0;
-  if ((rtwFunctions & DISTANCE_TO_EYE) != 0 && rtwParallelView.x == 0.0)
+  if (rtwIsOn(DISTANCE_TO_EYE) && rtwParallelView.x == 0.0)
   {
     value *= rtwNearest / max(-s.position.z, 1e-30);
   }
-  if ((rtwFunctions & SURFACE_NORMAL) != 0)
+  if (rtwIsOn(SURFACE_NORMAL))
   {
     value *= 1.0 + rtwBeta * clamp(s.normal.z, 0.0, 1.0);
   }
-  return value;
+  if (rtwIsOn(CENTRE_OF_INTEREST))
+  {
+    value *= rtwInterestAt(s.position);
+  }
+  if (rtwIsOn(FOOTPRINT))
+  {
+    vec2 footprint = s.footprint * focus.yw;
+    float longer = max(footprint.x, footprint.y);
+    // A surface that the light grazes would ask for all there is.
+    value *= inversesqrt(max(max(s.area * focus.y * focus.w, GRAZING * longer * longer), 1e-30));
+  }
+  if (rtwIsOn(USER_FUNCTION))
+  {
+    value *= rtwUserValue(s, focus);
+  }
+  return edge || rtwIsOn(SQRT_DEMAND) ? value : ALPHA * value; // demand has a profile of its own at edges
 }
 
-void rtwAddSample(LitSample s, vec4 focus)
+// Along both axes; a sum's in its unit.
+vec2 rtwAsked(LitSample s, vec4 focus, bool edge)
 {
-  ivec2 cell = clamp(ivec2(rtwFocused(focus, s.onLight) * float(rtwWarpSize.x)), 0, rtwWarpSize.x - 1);
-  float value = rtwFunction(s);
-  if ((rtwFunctions & SQRT_DEMAND) != 0)
+  float value = rtwFunction(s, focus, edge);
+  if (rtwIsOn(SQRT_DEMAND))
   {
-    vec2 demand = clamp(value / max(s.footprint * focus.yw, 1e-30), 1.0, LARGEST);
-    atomicAdd(rtwTile[cell.x], uint(demand.x + 0.5));
-    atomicAdd(rtwTile[MOST_CELLS + cell.y], uint(demand.y + 0.5));
+    return value / max(s.footprint * focus.yw, 1e-30);
   }
-  else
-  {
-    atomicMax(rtwTile[cell.x], floatBitsToUint(value));
-    atomicMax(rtwTile[MOST_CELLS + cell.y], floatBitsToUint(value));
-  }
+  return vec2(value) * (rtwIsSum() ? COUNT_UNIT : 1.0);
 }
 
-void main()
+ivec2 rtwCell(LitSample s, vec4 focus)
 {
-  uint me = gl_LocalInvocationIndex;
-  for (uint i = me; i < uint(2 * MOST_CELLS); i += 256u)
+  return clamp(ivec2(rtwFocused(focus, s.onLight) * float(rtwWarpSize.x)), 0, rtwWarpSize.x - 1);
+}
+
+uint rtwPlace(int profile, int axis, int cell)
+{
+  return 2u * uint(((2 * rtwLayer + axis) * PROFILES + profile) * rtwWarpSize.x + cell);
+}
+
+void rtwAddToProfile(uint at, uint low, uint high)
+{
+  uint carry = low != 0u && atomicAdd(rtwProfile[at], low) > 0xffffffffu - low ? 1u : 0u;
+  if (high + carry != 0u)
   {
-    rtwTile[i] = 0u;
-  }
-  barrier();
-  vec4 focus = rtwFocus(rtwLayer);
-  ivec2 size = rtwNumberOfSamples();
-  ivec2 corner = ivec2(gl_WorkGroupID.xy) * TILE + ivec2(gl_LocalInvocationID.xy);
-  for (int y = 0; y < TILE; y += 16)
-  {
-    for (int x = 0; x < TILE; x += 16)
-    {
-      ivec2 pixel = corner + ivec2(x, y);
-      if (all(lessThan(pixel, size)))
-      {
-        LitSample s = rtwLoadSample(pixel);
-        if (s.used)
-        {
-          rtwAddSample(s, focus);
-        }
-      }
-    }
-  }
-  barrier();
-  for (uint i = me; i < uint(2 * rtwWarpSize.x); i += 256u)
-  {
-    uint axis = i < uint(rtwWarpSize.x) ? 0u : 1u;
-    uint value = rtwTile[axis * uint(MOST_CELLS) + i - axis * uint(rtwWarpSize.x)];
-    uint at = 2u * (uint(2 * rtwLayer * rtwWarpSize.x) + i);
-    if (value == 0u)
-    {
-      continue;
-    }
-    if ((rtwFunctions & SQRT_DEMAND) == 0)
-    {
-      atomicMax(rtwProfile[at], value);
-    }
-    else if (atomicAdd(rtwProfile[at], value) > 0xffffffffu - value)
-    {
-      atomicAdd(rtwProfile[at + 1u], 1u); // the carry
-    }
+    atomicAdd(rtwProfile[at + 1u], high + carry);
   }
 }

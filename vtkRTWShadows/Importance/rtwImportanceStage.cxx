@@ -1,22 +1,42 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rtwImportanceStage.h"
 
+#include "rtwAnalysisInput.h"
+#include "rtwBackwardSample.h"
+#include "rtwCollectImage.h"
+#include "rtwCollectView.h"
+#include "rtwDenseLayers.h"
 #include "rtwDrawing.h"
+#include "rtwEdgesNone.h"
+#include "rtwEdgesOfImage.h"
+#include "rtwEdgesOfMask.h"
+#include "rtwForwardSample.h"
 #include "rtwImportance.h"
+#include "rtwLightImage.h"
 #include "rtwLightUniforms.h"
 #include "rtwLitSample.h"
 #include "rtwOpenGL.h"
+#include "rtwTexture.h"
+#include "rtwUserFunction.h"
 #include "rtwViewSampleAccess.h"
 #include "rtwViewSampler.h"
 #include "rtwWarpFocus.h"
 #include "rtwWarpTable.h"
 
+#include <glm/gtc/type_ptr.hpp>
+
+#include <algorithm>
+#include <utility>
+
 namespace rtw
 {
 namespace
 {
-constexpr int Tile = 64;           // as in rtwImportance.glsl
-constexpr float NormalBonus = 2.f; // β (Rosen 2012, section 5.4)
+constexpr int Tile = 64;  // of rtwCollectView.glsl
+constexpr int Group = 16; // of rtwImportance.glsl
+constexpr int DepthUnit = 1;
+constexpr int GradientUnit = 2;
+constexpr int MaskUnit = 3;
 
 // The distance from which on a window's near plane shows, for a scale that keeps numbers near 1.
 float NearestDistance(const View& view)
@@ -24,44 +44,233 @@ float NearestDistance(const View& view)
   const glm::dvec4 nearest = view.ClipToView * glm::dvec4(0, 0, -1, 1);
   return float(-nearest.z / nearest.w);
 }
+
+// A function's body, or an expression. Its lines are its own, of a source 0.
+std::string BodyOf(const std::string& code)
+{
+  const bool isBody = code.find("return") != std::string::npos;
+  const std::string text = "\n#line 1 0\n" + (code.empty() ? "1.0" : code);
+  return isBody ? text + "\n}\n" : "return (" + text + "\n);}\n";
+}
+
+void SetMatrix(const Program& program, const char* uniform, const glm::dmat4& matrix)
+{
+  program.SetMatrix(uniform, glm::value_ptr(glm::mat4(matrix)));
+}
+
+void SetVector(const Program& program, const char* uniform, const glm::dvec4& v)
+{
+  glUniform4f(program.Location(uniform), float(v.x), float(v.y), float(v.z), float(v.w));
+}
+
+// What a length along the light is in depth: of it times the square of (y + z · depth), which is 1
+// / w.
+glm::vec3 EdgeDepth(const LightFrame& frame, double length)
+{
+  const double scale = frame.DepthOfLength();
+  return frame.Light.Kind == LightKind::Directional
+    ? glm::vec3(length * scale, 1, 0)
+    : glm::vec3(length * scale, 1 / frame.NearestDistance, -1 / scale);
+}
+}
+
+bool ImportanceSettings::NeedsLightImages() const
+{
+  return this->Method == Analysis::Forward ||
+    (this->Method == Analysis::Hybrid && (this->Functions & ShadowEdge));
+}
+
+bool ImportanceStage::Shape::operator==(const Shape& other) const
+{
+  return this->Forward == other.Forward && this->At == other.At &&
+    this->Profiles == other.Profiles && this->Code == other.Code;
+}
+
+ImportanceStage::ImportanceStage(std::function<void(const std::string&)> refused)
+  : Refused(std::move(refused))
+  , Analysing(std::make_unique<Program>())
+{
+}
+
+ImportanceStage::Shape ImportanceStage::ShapeOf(const ImportanceSettings& settings)
+{
+  Shape shape;
+  shape.Forward = settings.Method == Analysis::Forward;
+  if (settings.Functions & ShadowEdge)
+  {
+    shape.At = settings.NeedsLightImages() ? Edges::OfImage : Edges::OfMask;
+    shape.Profiles = settings.Functions & SqrtDemand ? 2 : 1;
+  }
+  shape.Code = settings.Functions & UserFunction ? settings.Code : std::string();
+  return shape;
+}
+
+bool ImportanceStage::Compile(const Shape& shape, Program& program)
+{
+  const std::string profiles = "const int PROFILES = " + std::to_string(shape.Profiles) + ";\n";
+  const std::string body = BodyOf(shape.Code);
+  const bool image = shape.Forward || shape.At == Edges::OfImage;
+  const char* const edges = shape.At == Edges::None ? rtwEdgesNone
+    : shape.At == Edges::OfImage                    ? rtwEdgesOfImage
+                                                    : rtwEdgesOfMask;
+  return program.Build({ { GL_COMPUTE_SHADER,
+    { profiles.c_str(), rtwWarpFocus, rtwViewSampleAccess, rtwLitSample, image ? rtwLightImage : "",
+      rtwUserFunction, body.c_str(), rtwImportance,
+      shape.Forward ? rtwForwardSample : rtwBackwardSample, edges,
+      shape.Forward ? rtwCollectImage : rtwCollectView } } });
 }
 
 bool ImportanceStage::Build()
 {
-  return this->Analysis.Build(
-    { { GL_COMPUTE_SHADER, { rtwWarpFocus, rtwViewSampleAccess, rtwLitSample, rtwImportance } } });
+  return Compile(this->InForce, *this->Analysing);
 }
 
-void ImportanceStage::Analyse(const std::vector<LightFrame>& frames, int functions,
-  const ViewSampler& samples, int stride, const WarpTable& table)
+bool ImportanceStage::Replace(const Shape& shape, std::string& log)
 {
-  const std::size_t numbers = std::size_t(2) * 2 * table.GetCells() * frames.size();
+  if (shape == this->InForce)
+  {
+    return true;
+  }
+  auto next = std::make_unique<Program>();
+  if (!Compile(shape, *next))
+  {
+    log = next->GetLog();
+    return false;
+  }
+  this->Analysing->Release();
+  this->Analysing = std::move(next);
+  this->InForce = shape;
+  return true;
+}
+
+// Where the user's function doesn't compile, the last one that did stays in force.
+void ImportanceStage::Choose(const ImportanceSettings& settings)
+{
+  Shape wanted = ShapeOf(settings);
+  if (wanted == this->Asked)
+  {
+    return;
+  }
+  this->Asked = wanted;
+  std::string log, otherLog;
+  const bool isGood = this->Replace(wanted, log);
+  if (isGood && (settings.Functions & UserFunction))
+  {
+    this->LastGood = wanted.Code;
+  }
+  if (!isGood)
+  {
+    this->Refused(log);
+    wanted.Code = settings.Functions & UserFunction ? this->LastGood : std::string();
+    this->Replace(wanted, otherLog);
+  }
+}
+
+void ImportanceStage::Set(const ImportanceSettings& settings, const AnalysisInput& input) const
+{
+  const Program& program = *this->Analysing;
+  const View& view = input.Samples.GetView();
+  const double width = view.Width, height = view.Height, smaller = std::min(width, height);
+  const glm::dvec4 centre = view.WorldToView * glm::dvec4(settings.InterestCentre, 1);
+  program.Set("rtwFunctions", settings.Functions);
+  program.Set("rtwBeta", float(settings.NormalBonus));
+  program.Set("rtwNearest", NearestDistance(view));
+  SetMatrix(program, "rtwViewToClip", view.ViewToClip);
+  program.Set("rtwViewSize", float(width), float(height));
+  program.Set("rtwAspect", float(width / smaller), float(height / smaller));
+  program.Set("rtwInterestSide", settings.InterestInView ? 1 : 0);
+  program.Set("rtwInterestBonus", float(settings.InterestBonus));
+  SetVector(program, "rtwInterest",
+    { glm::dvec3(centre),
+      settings.InterestInView ? settings.InterestShare : settings.InterestRadius });
+  program.Set("rtwImageDepths", DepthUnit);
+  program.Set("rtwImageGradients", GradientUnit);
+  program.Set("rtwLastMask", MaskUnit);
+  program.Set("rtwHasMask", input.LastMask ? 1 : 0);
+  SetMatrix(program, "rtwViewToLastClip",
+    input.LastView.ViewToClip * (input.LastView.WorldToView * view.ViewToWorld));
+}
+
+void ImportanceStage::SetLayer(const LightFrame& frame, int layer,
+  const ImportanceSettings& settings, const AnalysisInput& input) const
+{
+  const Program& program = *this->Analysing;
+  const View& view = input.Samples.GetView();
+  BindLight(program, frame, view, input.Stride);
+  SetMatrix(program, "rtwLightToView", glm::inverse(frame.WorldToLight * view.ViewToWorld));
+  const bool directional = frame.Light.Kind == LightKind::Directional;
+  SetVector(program, "rtwTowardsLight",
+    view.WorldToView *
+      (directional ? glm::dvec4(-frame.Light.Direction, 0) : glm::dvec4(frame.Light.Position, 1)));
+  const glm::vec3 edge = EdgeDepth(frame, settings.EdgeThreshold * input.SceneSize);
+  program.Set("rtwEdgeDepth", edge.x, edge.y, edge.z);
+  program.Set("rtwLayer", layer);
+  program.Set("rtwImageLayer", layer);
+  program.Set("rtwMaskLayer", layer);
+}
+
+void ImportanceStage::Analyse(const std::vector<LightFrame>& frames,
+  const ImportanceSettings& settings, const AnalysisInput& input, const WarpTable& table)
+{
+  this->Choose(settings);
+  this->Holds = settings.Functions & SqrtDemand ? Collected::SumUnderRoot
+    : settings.Functions & SampleCount          ? Collected::Sum
+                                                : Collected::Largest;
+  const std::size_t numbers =
+    std::size_t(2) * 2 * this->GetProfiles() * table.GetCells() * frames.size();
   this->Profile.Reserve(numbers * sizeof(unsigned int));
   this->Profile.Clear();
-  this->Analysis.Use();
+  this->Analysing->Use();
   this->Profile.BindStorage(0);
-  samples.Bind(this->Analysis);
-  table.Bind(this->Analysis);
-  this->Analysis.Set("rtwFunctions", functions);
-  this->Analysis.Set("rtwBeta", NormalBonus);
-  this->Analysis.Set("rtwNearest", NearestDistance(samples.GetView()));
+  input.Samples.Bind(*this->Analysing);
+  table.Bind(*this->Analysing);
+  this->Set(settings, input);
+  std::vector<std::pair<const Texture*, int>> textures;
+  if (input.LightImages)
+  {
+    textures.emplace_back(&input.LightImages->GetDepths(), DepthUnit);
+    textures.emplace_back(&input.LightImages->GetGradients(), GradientUnit);
+  }
+  if (input.LastMask)
+  {
+    textures.emplace_back(input.LastMask, MaskUnit);
+  }
+  for (const auto& [texture, unit] : textures)
+  {
+    texture->Bind(unit);
+  }
   for (std::size_t layer = 0; layer < frames.size(); ++layer)
   {
-    BindLight(this->Analysis, frames[layer], samples.GetView(), stride);
-    this->Analysis.Set("rtwLayer", static_cast<int>(layer));
-    Dispatch(Groups(samples.GetWidth() / stride, Tile), Groups(samples.GetHeight() / stride, Tile));
+    this->SetLayer(frames[layer], static_cast<int>(layer), settings, input);
+    this->Collect(input);
   }
+  for (const auto& [texture, unit] : textures)
+  {
+    texture->Unbind(unit);
+  }
+}
+
+void ImportanceStage::Collect(const AnalysisInput& input) const
+{
+  if (this->InForce.Forward)
+  {
+    const int side = input.LightImages ? input.LightImages->GetResolution() : 0;
+    Dispatch(Groups(side, Group), Groups(side, Group));
+    return;
+  }
+  Dispatch(Groups(input.Samples.GetWidth() / input.Stride, Tile),
+    Groups(input.Samples.GetHeight() / input.Stride, Tile));
 }
 
 void ImportanceStage::Release()
 {
-  this->Analysis.Release();
+  this->Analysing->Release();
   this->Profile.Release();
 }
 
 void ImportanceStage::Abandon()
 {
-  this->Analysis.Abandon();
+  this->Analysing->Abandon();
   this->Profile.Abandon();
 }
 }

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rtwFocus.h"
 
+#include "rtwBackwardSample.h"
 #include "rtwDrawing.h"
 #include "rtwFocusReduction.h"
 #include "rtwFocusWrite.h"
-#include "rtwWarpFocus.h"
 #include "rtwLightUniforms.h"
 #include "rtwLitSample.h"
 #include "rtwOpenGL.h"
 #include "rtwViewSampleAccess.h"
 #include "rtwViewSampler.h"
+#include "rtwWarpFocus.h"
 #include "rtwWarpTable.h"
 
 #include <cstdint>
@@ -41,8 +42,8 @@ void SetWholeBounds(const Program& program, const LightFrame& frame)
 
 bool FocusStage::Build()
 {
-  return this->Reduction.Build(
-           { { GL_COMPUTE_SHADER, { rtwViewSampleAccess, rtwLitSample, rtwFocusReduction } } }) &&
+  return this->Reduction.Build({ { GL_COMPUTE_SHADER,
+           { rtwViewSampleAccess, rtwLitSample, rtwBackwardSample, rtwFocusReduction } } }) &&
     this->Writing.Build({ { GL_COMPUTE_SHADER, { rtwWarpFocus, rtwFocusWrite } } });
 }
 

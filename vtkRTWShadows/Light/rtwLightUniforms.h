@@ -8,9 +8,9 @@ class Program;
 struct LightFrame;
 struct View;
 
-/// Tells an analysis (rtwLitSample.glsl) for which light it looks at the view samples.
-void BindLight(const Program& program, const LightFrame& frame, const View& view,
-  int stride);
+/// Tells an analysis (rtwLitSample.glsl, rtwBackwardSample.glsl) for which light it looks at the
+/// view samples.
+void BindLight(const Program& program, const LightFrame& frame, const View& view, int stride);
 }
 
 #endif

@@ -91,15 +91,15 @@ void ShadowPipeline::MakeFrames(const FrameScene& scene, const std::vector<Shado
 
 int ShadowPipeline::CountOtherLayers(const FrameScene& scene, std::size_t lights) const
 {
-  const bool others = std::any_of(scene.Props.begin(), scene.Props.end(),
-    [](const SceneProp& prop) { return prop.Casts; });
+  const bool others = std::any_of(
+    scene.Props.begin(), scene.Props.end(), [](const SceneProp& prop) { return prop.Casts; });
   return others && this->OwnDrawing && this->Warp->NeedsViewSamples() ? static_cast<int>(lights)
                                                                       : 0;
 }
 
 // Of all that the layers depend on; never 0.
-std::uint64_t ShadowPipeline::Sign(const FrameScene& scene,
-  const std::vector<ShadowLight>& lights, const PipelineOptions& options) const
+std::uint64_t ShadowPipeline::Sign(const FrameScene& scene, const std::vector<ShadowLight>& lights,
+  const PipelineOptions& options) const
 {
   std::uint64_t signature = Mix(scene.Signature, options.Signature);
   for (const ShadowLight& light : lights)
@@ -209,12 +209,14 @@ void ShadowPipeline::Abandon()
   this->Sampler.Abandon();
   this->Focus.Abandon();
   this->Casters.Abandon();
+  this->Images.Abandon();
   this->Masking.Abandon();
   this->Layers.Abandon();
   this->Table.Abandon();
   this->Timers.Abandon();
   this->Frames.clear();
   this->LastSignature = 0;
+  this->HasSamples = this->HasMask = false;
 }
 
 void ShadowPipeline::Release(vtkOpenGLRenderWindow* window)
@@ -230,6 +232,7 @@ void ShadowPipeline::Release(vtkOpenGLRenderWindow* window)
   this->Sampler.Release();
   this->Focus.Release();
   this->Casters.Release();
+  this->Images.Release();
   this->Masking.Release();
   this->Layers.Release();
   this->Table.Release();

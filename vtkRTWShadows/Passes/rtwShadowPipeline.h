@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One way through the house: view samples, light frames, focus, warp, light pass. Owns each stage's GPU resources.
+// One way through the house: view samples, light frames, focus, warp, light pass. Owns each stage's
+// GPU resources.
 #ifndef rtwShadowPipeline_h
 #define rtwShadowPipeline_h
 
@@ -7,10 +8,11 @@
 #include "rtwCasterDrawing.h"
 #include "rtwDenseLayers.h"
 #include "rtwFocus.h"
+#include "rtwFrameScene.h"
 #include "rtwGeometryStore.h"
+#include "rtwLightImages.h"
 #include "rtwMaskStage.h"
 #include "rtwReceiverShader.h"
-#include "rtwFrameScene.h"
 #include "rtwStageTimers.h"
 #include "rtwStatistics.h"
 #include "rtwView.h"
@@ -41,7 +43,7 @@ struct PipelineOptions
   CasterOptions Casters;
   LookupOptions Lookup;
   ReceiverShape Shape;
-  bool Masked = true; ///< whether the picture takes its shadows from the mask
+  bool Masked = true;          ///< whether the picture takes its shadows from the mask
   std::uint64_t Signature = 0; ///< of all settings, the warp's among them
 };
 
@@ -49,7 +51,8 @@ struct PipelineOptions
 struct MapperDrawing
 {
   std::function<void()> ViewSamples;
-  std::function<void(int layer, const LightFrame& frame)> Casters; ///< layer is that of the warp table
+  std::function<void(int layer, const LightFrame& frame)>
+    Casters; ///< layer is that of the warp table
 };
 
 class ShadowPipeline
@@ -62,9 +65,11 @@ public:
 
   /// Uses that warp from now on.
   void SetWarp(std::unique_ptr<WarpStage> warp);
-  /// Takes note of the window's context; all that belonged to another is forgotten. False where nothing can be drawn.
+  /// Takes note of the window's context; all that belonged to another is forgotten. False where
+  /// nothing can be drawn.
   bool SetContext(vtkOpenGLRenderWindow* window);
-  /// Whether the context can analyse the view and draw casters by our own programs. Where not, why is in GetProblem().
+  /// Whether the context can analyse the view and draw casters by our own programs. Where not, why
+  /// is in GetProblem().
   bool HasOwnDrawing() const { return this->OwnDrawing; }
   const std::string& GetProblem() const { return this->Problem; }
 
@@ -75,7 +80,8 @@ public:
   /// Keeps the depth of what has been drawn, for the next frame's view samples.
   void CaptureFrame(const PipelineOptions& options);
 
-  /// Lets the view samples stand in for the depth of what is drawn next, where they are complete: what they hide isn't shaded.
+  /// Lets the view samples stand in for the depth of what is drawn next, where they are complete:
+  /// what they hide isn't shaded.
   void PrimeDepth(const FrameScene& scene, const PipelineOptions& options);
 
   const std::vector<LightFrame>& GetFrames() const { return this->Frames; }
@@ -91,12 +97,14 @@ public:
   /// To the largest maps of so many lights that the GPU allows.
   int ClampResolution(unsigned int resolution, std::size_t lights) const;
   StageTimers& GetTimers() { return this->Timers; }
-  /// By how many layers those of casters that mappers draw lie behind the lights' own; 0 where they share them.
+  /// By how many layers those of casters that mappers draw lie behind the lights' own; 0 where they
+  /// share them.
   int GetOtherLayers() const { return this->OtherLayers; }
   /// Whether such layers are needed for a scene.
   int CountOtherLayers(const FrameScene& scene, std::size_t lights) const;
   /// The mask of the last frame; made now, where the picture didn't need it.
-  const Texture& GetMask(const PipelineOptions& options, const std::function<void()>& mapperSamples);
+  const Texture& GetMask(
+    const PipelineOptions& options, const std::function<void()>& mapperSamples);
   const Statistics& GetStatistics() const { return this->Counted; }
   CasterCounts ReadCasterCounts(int layer) const { return this->Casters.ReadCounts(layer); }
   /// Texels a side along s and t. Waits for the GPU.
@@ -114,11 +122,19 @@ private:
     const PipelineOptions& options, const MapperDrawing& mappers);
   void DrawViewSamples(StateGuard& guard, const std::function<void()>& mapperSamples);
   void DrawMask(const PipelineOptions& options);
-  void Analyse(const FrameScene& scene, const PipelineOptions& options);
-  void DrawLayer(StateGuard& guard, int layer, const FrameScene& scene, const PipelineOptions& options,
-    const MapperDrawing& mappers);
+  void FindFocus(const FrameScene& scene, const PipelineOptions& options);
+  bool DrawLightImages(
+    StateGuard& guard, const PipelineOptions& options, const MapperDrawing& mappers);
+  void RunWarp(const PipelineOptions& options, bool hasImages, const Texture* lastMask);
+  void DrawLayer(StateGuard& guard, int layer, const FrameScene& scene,
+    const PipelineOptions& options, const MapperDrawing& mappers);
   bool NeedsViewSamples(const PipelineOptions& options) const;
   bool ResampleLastFrame(const PipelineOptions& options);
+  /// Of the samples in use: resampling leaves out the others.
+  int GetStride(const PipelineOptions& options) const
+  {
+    return this->Resampled ? 1 : options.ViewSampleStride;
+  }
 
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   std::uint64_t ContextTime = 0;
@@ -134,10 +150,13 @@ private:
   bool Settled = true;    ///< false where that frame shows something else than this one
   FocusStage Focus;
   CasterDrawing Casters;
+  LightImages Images;
   MaskStage Masking;
-  int OtherLayers = 0; ///< unwarped, behind the lights' own: of casters that mappers draw, whose edges can't be warped
+  int OtherLayers = 0; ///< unwarped, behind the lights' own: of casters that mappers draw, whose
+                       ///< edges can't be warped
   bool HasSamples = false; ///< of the last frame
   bool HasMask = false;
+  View Masked; ///< what the mask is of
   DenseLayers Layers;
   WarpTable Table;
   StageTimers Timers;

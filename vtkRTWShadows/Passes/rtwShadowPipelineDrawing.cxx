@@ -2,6 +2,7 @@
 // What a frame draws: view samples, the analysis of them, the layers, and the mask.
 #include "rtwShadowPipeline.h"
 
+#include "rtwAnalysisInput.h"
 #include "rtwStateGuard.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -66,10 +67,9 @@ void ShadowPipeline::CaptureFrame(const PipelineOptions& options)
   }
 }
 
-// From view samples to a filled warp table.
-void ShadowPipeline::Analyse(const FrameScene& scene, const PipelineOptions& options)
+// Into the warp table.
+void ShadowPipeline::FindFocus(const FrameScene& scene, const PipelineOptions& options)
 {
-  const int stride = this->Resampled ? 1 : options.ViewSampleStride;
   std::vector<LightFrame> frames = this->Frames;
   const FilterReach reach{ options.Lookup.FilterWorld,
     options.Lookup.FilterTexels / double(options.Resolution) +
@@ -83,7 +83,7 @@ void ShadowPipeline::Analyse(const FrameScene& scene, const PipelineOptions& opt
   if (options.FocusOnView && this->OwnDrawing)
   {
     StageTimers::Scope timer(this->Timers, "focus");
-    this->Focus.Reduce(frames, unsampled, this->Sampler, stride, reach, this->Table);
+    this->Focus.Reduce(frames, unsampled, this->Sampler, this->GetStride(options), reach, this->Table);
   }
   else
   {
@@ -96,10 +96,49 @@ void ShadowPipeline::Analyse(const FrameScene& scene, const PipelineOptions& opt
   {
     this->Table.WriteIdentity(static_cast<int>(this->Frames.size()) + layer);
   }
+}
+
+// What mappers draw is as unwarped in a light's image as in their own layers.
+bool ShadowPipeline::DrawLightImages(
+  StateGuard& guard, const PipelineOptions& options, const MapperDrawing& mappers)
+{
+  const int size = this->OwnDrawing ? this->Warp->GetLightImageSize() : 0;
+  if (size == 0 || !this->Images.Build())
+  {
+    return false;
+  }
+  StageTimers::Scope timer(this->Timers, "light images");
+  const int lights = static_cast<int>(this->Frames.size());
+  this->Images.Start(
+    this->ClampResolution(static_cast<unsigned int>(size), this->Frames.size()), lights,
+    this->Table);
+  for (int light = 0; light < lights; ++light)
+  {
+    const LightFrame& frame = this->Frames[light];
+    StateGuard::PrepareDepthDrawing(this->Can.DepthClamp);
+    if (!this->Images.Draw(this->Store, frame, light, options.Casters.Cull))
+    {
+      return false;
+    }
+    if (this->OtherLayers > 0)
+    {
+      guard.DrawWithVTK([&] { mappers.Casters(light + this->OtherLayers, frame); });
+    }
+  }
+  return true;
+}
+
+// From what was analysed to a filled warp table.
+void ShadowPipeline::RunWarp(
+  const PipelineOptions& options, bool hasImages, const Texture* lastMask)
+{
   if (this->OwnDrawing)
   {
     StageTimers::Scope timer(this->Timers, "warp");
-    this->Warp->Run(this->Frames, this->Sampler, stride, this->Table);
+    this->Warp->Run(this->Frames,
+      { this->Sampler, this->GetStride(options), this->SceneSize,
+        hasImages ? &this->Images.GetImages() : nullptr, lastMask, this->Masked },
+      this->Table);
   }
 }
 
@@ -119,6 +158,8 @@ void ShadowPipeline::Draw(const FrameScene& scene, const std::vector<ShadowLight
   this->Layers.Allocate(options.Resolution, layers + this->OtherLayers);
   this->Table.Allocate((this->OwnDrawing ? this->Warp : this->Fallback)->GetCells(),
     options.Resolution, layers + this->OtherLayers);
+  const Texture& mask = this->Masking.GetMask();
+  const Texture* const lastMask = this->HasMask && mask.GetLayers() == layers ? &mask : nullptr;
   this->HasSamples = this->HasMask = false;
   this->Resampled = this->NeedsViewSamples(options) && this->ResampleLastFrame(options);
   this->Settled = !this->Resampled || this->Last.GetSignature() == this->LastSignature;
@@ -126,7 +167,9 @@ void ShadowPipeline::Draw(const FrameScene& scene, const std::vector<ShadowLight
   {
     this->DrawViewSamples(guard, scene.Props.empty() ? nullptr : mappers.ViewSamples);
   }
-  this->Analyse(scene, options);
+  this->FindFocus(scene, options);
+  const bool hasImages = this->DrawLightImages(guard, options, mappers);
+  this->RunWarp(options, hasImages, lastMask);
   for (int layer = 0; layer < layers; ++layer)
   {
     this->DrawLayer(guard, layer, scene, options, mappers);
@@ -137,7 +180,7 @@ void ShadowPipeline::Draw(const FrameScene& scene, const std::vector<ShadowLight
   }
   this->Counted.ShadowMemory = static_cast<std::int64_t>(this->Layers.GetMemory() +
     this->Table.GetMemory() + this->Sampler.GetMemory() + this->Masking.GetMask().GetMemory() +
-    this->Casters.GetMemory());
+    this->Casters.GetMemory() + this->Images.GetMemory());
 }
 
 void ShadowPipeline::PrimeDepth(const FrameScene& scene, const PipelineOptions& options)
@@ -149,8 +192,7 @@ void ShadowPipeline::PrimeDepth(const FrameScene& scene, const PipelineOptions& 
   }
 }
 
-void ShadowPipeline::DrawViewSamples(
-  StateGuard& guard, const std::function<void()>& mapperSamples)
+void ShadowPipeline::DrawViewSamples(StateGuard& guard, const std::function<void()>& mapperSamples)
 {
   StageTimers::Scope timer(this->Timers, "view samples");
   this->HasSamples = this->Sampler.Render(this->Viewed, this->Store, this->OwnDrawing);
@@ -169,6 +211,7 @@ void ShadowPipeline::DrawMask(const PipelineOptions& options)
       ReceiverLights::Make(this->Frames, this->Viewed, options.Lookup, this->SceneSize),
       this->OtherLayers, this->Sampler, this->Layers, this->Table);
     this->HasMask = true;
+    this->Masked = this->Viewed;
   }
 }
 
@@ -203,8 +246,8 @@ void ShadowPipeline::DrawLayer(StateGuard& guard, int layer, const FrameScene& s
     this->Casters.Draw(this->Store, this->Table, frame, layer, options.Casters);
   }
   const int others = layer + this->OtherLayers;
-  if (std::any_of(scene.Props.begin(), scene.Props.end(),
-        [](const SceneProp& prop) { return prop.Casts; }) &&
+  if (std::any_of(
+        scene.Props.begin(), scene.Props.end(), [](const SceneProp& prop) { return prop.Casts; }) &&
     (others == layer || this->Layers.BindTarget(others)))
   {
     guard.DrawWithVTK([&] { mappers.Casters(others, frame); });

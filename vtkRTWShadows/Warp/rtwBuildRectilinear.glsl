@@ -7,7 +7,7 @@ const int GROUP = 256;
 
 layout(std430, binding = 0) buffer Profile
 {
-  uint rtwProfile[];
+  uint rtwProfile[]; // as rtwImportance.glsl fills it
 };
 layout(std430, binding = 1) buffer Report
 {
@@ -21,7 +21,12 @@ layout(std430, binding = 3) buffer Bends
 {
   vec4 rtwBends[]; // least slope, greatest slope, greatest step
 };
-uniform int rtwSquareRoot;
+const int LARGEST = 0; // what the profile holds, as in rtwImportanceStage.h
+const int SUM = 1;
+const int SUM_UNDER_ROOT = 2;
+const float EDGE_FLOOR = 0.02; // of the plain demand, beside that at shadow edges
+uniform int rtwCollected;
+uniform int rtwProfiles; // 2: plain, and at shadow edges
 uniform float rtwSigma; // in cells
 uniform float rtwFloor; // a share of the mean
 uniform int rtwLevels;
@@ -32,36 +37,6 @@ shared float rtwPartial[GROUP];
 int layer = int(gl_WorkGroupID.y);
 int axis = int(gl_WorkGroupID.x);
 int me = int(gl_LocalInvocationIndex);
-
-void load(int cells)
-{
-  for (int i = me; i < cells; i += GROUP)
-  {
-    int at = 2 * ((2 * layer + axis) * cells + i);
-    float sum = float(rtwProfile[at]) + 4294967296.0 * float(rtwProfile[at + 1]);
-    rtwSums[i] = rtwSquareRoot != 0 ? sqrt(sum) : uintBitsToFloat(rtwProfile[at]);
-  }
-  barrier();
-}
-
-void blur(int cells)
-{
-  int radius = int(ceil(3.0 * rtwSigma));
-  for (int i = me; i < cells; i += GROUP)
-  {
-    float sum = 0.0;
-    float weights = 0.0;
-    for (int j = max(0, i - radius); j <= min(cells - 1, i + radius); ++j)
-    {
-      float d = float(j - i) / max(rtwSigma, 1e-3);
-      float weight = exp(-0.5 * d * d);
-      sum += weight * rtwSums[j];
-      weights += weight;
-    }
-    rtwValues[i] = sum / weights;
-  }
-  barrier();
-}
 
 // Of all values, in every invocation.
 float total(int cells)
@@ -84,6 +59,61 @@ float total(int cells)
   float all = rtwPartial[0];
   barrier();
   return all;
+}
+
+float sumOf(int profile, int cell, int cells)
+{
+  int at = 2 * (((2 * layer + axis) * rtwProfiles + profile) * cells + cell);
+  return float(rtwProfile[at]) + 4294967296.0 * float(rtwProfile[at + 1]);
+}
+
+float totalOf(int profile, int cells)
+{
+  for (int i = me; i < cells; i += GROUP)
+  {
+    rtwValues[i] = sumOf(profile, i, cells);
+  }
+  barrier();
+  return total(cells);
+}
+
+// Demand at shadow edges alone, with a share of the plain one so that nothing starves; the plain one where there are no edges.
+vec2 weights(int cells)
+{
+  float edges = rtwProfiles == 2 ? totalOf(1, cells) : 0.0;
+  float plain = rtwProfiles == 2 ? totalOf(0, cells) : 0.0;
+  return edges > 0.0 ? vec2(EDGE_FLOOR * edges / plain, 1.0) : vec2(1.0, 0.0);
+}
+
+void load(int cells)
+{
+  vec2 weight = weights(cells);
+  for (int i = me; i < cells; i += GROUP)
+  {
+    float sum = weight.x * sumOf(0, i, cells) + (weight.y > 0.0 ? weight.y * sumOf(1, i, cells) : 0.0);
+    float largest = uintBitsToFloat(rtwProfile[2 * (2 * layer + axis) * rtwProfiles * cells + 2 * i]);
+    rtwSums[i] = rtwCollected == LARGEST ? largest : rtwCollected == SUM ? sum : sqrt(sum);
+  }
+  barrier();
+}
+
+void blur(int cells)
+{
+  int radius = int(ceil(3.0 * rtwSigma));
+  for (int i = me; i < cells; i += GROUP)
+  {
+    float sum = 0.0;
+    float weights = 0.0;
+    for (int j = max(0, i - radius); j <= min(cells - 1, i + radius); ++j)
+    {
+      float d = float(j - i) / max(rtwSigma, 1e-3);
+      float weight = exp(-0.5 * d * d);
+      sum += weight * rtwSums[j];
+      weights += weight;
+    }
+    rtwValues[i] = sum / weights;
+  }
+  barrier();
 }
 
 // rtwSums[i] becomes the normalized sum of the values before i.

@@ -13,14 +13,22 @@
 
 namespace rtw
 {
-RectilinearWarpStage::RectilinearWarpStage(std::function<RectilinearSettings()> settings)
+RectilinearWarpStage::RectilinearWarpStage(
+  std::function<RectilinearSettings()> settings, std::function<void(const std::string&)> refused)
   : Settings(std::move(settings))
+  , Importance(std::move(refused))
 {
 }
 
 WarpShape RectilinearWarpStage::GetShape() const
 {
   return { "rectilinear", rtwWarpRectilinear, rtwBendRectilinear };
+}
+
+int RectilinearWarpStage::GetLightImageSize() const
+{
+  const RectilinearSettings settings = this->Settings();
+  return settings.Importance.NeedsLightImages() ? settings.LightImageSize : 0;
 }
 
 bool RectilinearWarpStage::Build()
@@ -35,11 +43,10 @@ std::string RectilinearWarpStage::GetLog() const
 }
 
 void RectilinearWarpStage::Run(
-  const std::vector<LightFrame>& frames, const ViewSampler& samples,
-    int stride, const WarpTable& table)
+  const std::vector<LightFrame>& frames, const AnalysisInput& input, const WarpTable& table)
 {
   const RectilinearSettings settings = this->Settings();
-  this->Importance.Analyse(frames, settings.Functions, samples, stride, table);
+  this->Importance.Analyse(frames, settings.Importance, input, table);
   this->Report.Reserve(frames.size() * 2 * 2 * sizeof(float));
   this->Building.Use();
   table.Bind(this->Building);
@@ -47,7 +54,8 @@ void RectilinearWarpStage::Run(
   this->Report.BindStorage(1);
   table.GetValues().BindStorage(2);
   table.GetBends().BindStorage(3);
-  this->Building.Set("rtwSquareRoot", settings.Functions & SqrtDemand ? 1 : 0);
+  this->Building.Set("rtwCollected", static_cast<int>(this->Importance.GetCollected()));
+  this->Building.Set("rtwProfiles", this->Importance.GetProfiles());
   this->Building.Set("rtwSigma", static_cast<float>(settings.Sigma));
   this->Building.Set("rtwFloor", static_cast<float>(settings.Floor));
   this->Building.Set("rtwLevels", table.GetBendLevels());

@@ -14,23 +14,27 @@ namespace rtw
 {
 struct RectilinearSettings
 {
-  int Functions = SqrtDemand; ///< of ImportanceFunction
+  ImportanceSettings Importance;
+  int LightImageSize = 512;
   int Cells = 512;
-  double Sigma = 3; ///< of the blur, in cells
+  double Sigma = 3;    ///< of the blur, in cells
   double Floor = 0.01; ///< least importance, as a share of the mean
 };
 
 class RectilinearWarpStage : public WarpStage
 {
 public:
-  explicit RectilinearWarpStage(std::function<RectilinearSettings()> settings);
+  /// `refused` is told why the user's importance function doesn't compile.
+  RectilinearWarpStage(std::function<RectilinearSettings()> settings,
+    std::function<void(const std::string& log)> refused);
   WarpShape GetShape() const override;
   bool NeedsViewSamples() const override { return true; }
   int GetCells() const override { return this->Settings().Cells; }
+  int GetLightImageSize() const override;
   bool Build() override;
   std::string GetLog() const override;
-  void Run(const std::vector<LightFrame>& frames, const ViewSampler& samples,
-    int stride, const WarpTable& table) override;
+  void Run(const std::vector<LightFrame>& frames, const AnalysisInput& input,
+    const WarpTable& table) override;
   glm::dvec2 ReadGreatestDensity(int layer) const override;
   void Release() override;
   void Abandon() override;

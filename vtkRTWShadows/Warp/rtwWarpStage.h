@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The contract of a warp: GLSL for caster and receiver, and a way to build its table from view samples.
+// The contract of a warp: GLSL for caster and receiver, and a way to build its table from view
+// samples.
 //
 // Implemented by IdentityWarpStage (below) and RectilinearWarpStage.
 #ifndef rtwWarpStage_h
@@ -14,8 +15,8 @@
 
 namespace rtw
 {
-class ViewSampler;
 class WarpTable;
+struct AnalysisInput;
 
 struct WarpShape
 {
@@ -31,14 +32,16 @@ public:
   virtual WarpShape GetShape() const = 0;
   virtual bool NeedsViewSamples() const = 0;
   virtual int GetCells() const = 0; ///< of a warping function
+  /// Texels a side of the depth image of each light that Run() looks at; 0 where it looks at none.
+  virtual int GetLightImageSize() const { return 0; }
   /// Compiles; false, with the reason in GetLog(), where the driver can't.
   virtual bool Build() = 0;
   virtual std::string GetLog() const = 0;
   /// Fills the table of every layer; its focus is there already.
   virtual void Run(
-    const std::vector<LightFrame>& frames, const ViewSampler& samples,
-    int stride, const WarpTable& table) = 0;
-  /// How many times the mean density of texels the densest cell of a layer has along s and t. Waits for the GPU.
+    const std::vector<LightFrame>& frames, const AnalysisInput& input, const WarpTable& table) = 0;
+  /// How many times the mean density of texels the densest cell of a layer has along s and t. Waits
+  /// for the GPU.
   virtual glm::dvec2 ReadGreatestDensity(int layer) const = 0;
   virtual void Release() = 0;
   virtual void Abandon() = 0;
@@ -52,7 +55,7 @@ public:
   int GetCells() const override { return 1; }
   bool Build() override { return true; }
   std::string GetLog() const override { return {}; }
-  void Run(const std::vector<LightFrame>&, const ViewSampler&, int, const WarpTable&) override {}
+  void Run(const std::vector<LightFrame>&, const AnalysisInput&, const WarpTable&) override {}
   glm::dvec2 ReadGreatestDensity(int) const override { return glm::dvec2(1); }
   void Release() override {}
   void Abandon() override {}

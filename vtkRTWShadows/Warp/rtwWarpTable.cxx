@@ -42,6 +42,18 @@ void WarpTable::WriteFocus(int layer, const Rectangle& focus)
   }
 }
 
+void WarpTable::CopyFocus(const WarpTable& from, int layers)
+{
+  for (int layer = 0; layer < layers; ++layer)
+  {
+    for (int row = RowsPerLayer * layer; row < RowsPerLayer * layer + 2; ++row)
+    {
+      this->Table.CopyElement(std::size_t(row) * this->GetRowLength() + this->Cells, from.Table,
+        std::size_t(row) * from.GetRowLength() + from.Cells);
+    }
+  }
+}
+
 void WarpTable::WriteIdentity(int layer)
 {
   std::vector<float> forward, inverse;

@@ -27,6 +27,8 @@ public:
   void Allocate(int cells, int resolution, int layers);
   /// Sets a layer's focus from the CPU.
   void WriteFocus(int layer, const Rectangle& focus);
+  /// Takes over the focus of the first layers of another table, on the GPU.
+  void CopyFocus(const WarpTable& from, int layers);
   /// Sets a layer's warping functions to none.
   void WriteIdentity(int layer);
   /// Gives a program of ours the table.

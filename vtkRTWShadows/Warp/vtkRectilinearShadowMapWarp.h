@@ -3,9 +3,10 @@
  * @class   vtkRectilinearShadowMapWarp
  * @brief   rectilinear texture warping: rows and columns as wide as what the view needs
  *
- * P. Rosen, Rectilinear Texture Warping for Fast Adaptive Shadow Mapping, 2012. What the camera sees is projected onto
- * the light plane (backward analysis, section 4.1), each sample with an importance; columns and rows collect it, are
- * blurred, and get a share of the map in proportion to it.
+ * P. Rosen, Rectilinear Texture Warping for Fast Adaptive Shadow Mapping, 2012. What the camera
+ * sees is projected onto the light plane (backward analysis, section 4.1), each sample with an
+ * importance; columns and rows collect it, are blurred, and get a share of the map in proportion to
+ * it. What a light sees can be looked at too (forward and hybrid analysis).
  *
  * @sa vtkRTWShadowMapPass
  */
@@ -13,6 +14,8 @@
 #define vtkRectilinearShadowMapWarp_h
 
 #include "vtkShadowMapWarp.h"
+
+#include <string> // for the user's function
 
 class VTKRTWSHADOWS_EXPORT vtkRectilinearShadowMapWarp : public vtkShadowMapWarp
 {
@@ -26,17 +29,49 @@ public:
    */
   enum ImportanceFunctions
   {
-    DESIRED_VIEW = 1,    ///< what the camera sees, and nothing else (section 5.1); part of all others
-    DISTANCE_TO_EYE = 2, ///< one over the depth in the view (section 5.2)
-    SURFACE_NORMAL = 4,  ///< up to three times as much where a surface faces the viewer (section 5.4, β = 2)
-    SQRT_DEMAND = 8      ///< the square root of the texels that pixels ask for: the least error
+    DESIRED_VIEW = 1, ///< what the camera sees, and nothing else (section 5.1); part of all others
+    DISTANCE_TO_EYE = 2,     ///< one over the depth in the view (section 5.2)
+    SURFACE_NORMAL = 4,      ///< more where a surface faces the viewer (section 5.4)
+    SQRT_DEMAND = 8,         ///< the square root of the texels that pixels ask for
+    SHADOW_EDGE = 16,        ///< a thousandth where there is no shadow edge (section 5.3)
+    CENTRE_OF_INTEREST = 32, ///< more in a sphere, or in the middle of the view
+    USER_FUNCTION = 64,      ///< what UserFunction gives
+    FOOTPRINT = 128,         ///< the texels a side that give a pixel one texel
+    SAMPLE_COUNT = 256       ///< the number of samples (Milet et al. 2015, section 3)
+  };
+
+  /**
+   * What is looked at (section 4.1).
+   */
+  enum Analyses
+  {
+    FORWARD = 0,  ///< a depth image from the light, looked back into the view
+    BACKWARD = 1, ///< what the camera sees, projected onto the light plane
+    HYBRID = 2    ///< that, and for shadow edges a depth image from the light
+  };
+
+  /**
+   * Of what the CENTRE_OF_INTEREST is one.
+   */
+  enum Interests
+  {
+    VIEW = 0,  ///< the middle of the picture
+    SPHERE = 1 ///< a sphere in the scene
   };
 
   ///@{
   /**
-   * Which importance functions to multiply: a sum of ImportanceFunctions. Without SQRT_DEMAND the largest importance in a
-   * column or row counts, as published; with it the root of their sum. A value that names no function is
-   * refused with an error and changes nothing. Default: SQRT_DEMAND.
+   * Which importance functions to multiply: a sum of ImportanceFunctions. The largest importance in
+   * a column or row counts, as published (section 4.2); with SAMPLE_COUNT their sum does, and with
+   * SQRT_DEMAND the root of their sum.
+   *
+   * SHADOW_EDGE times SQRT_DEMAND is demand at shadow edges alone, with 2 % of the plain one spread
+   * below it. Edges are those of the light's depth image in a FORWARD or HYBRID analysis, and in a
+   * BACKWARD one those of the last frame's shadow mask: all is an edge in a first frame, what just
+   * came into view, and in windows with multisampling, which have no mask.
+   *
+   * A value that names no function is refused with an error and changes nothing. Default:
+   * SQRT_DEMAND.
    */
   virtual void SetImportance(int functions);
   vtkGetMacro(Importance, int);
@@ -44,7 +79,126 @@ public:
 
   ///@{
   /**
-   * Number of cells of each warping map (super-cells, section 3). Clamped to 16 to 2048. Default: 512.
+   * One of Analyses. FORWARD knows neither what hides what from the camera, nor what lies in the
+   * light behind the first surface, so that it has more error. FORWARD, and HYBRID with
+   * SHADOW_EDGE, draw the casters once more each frame. Any other value is refused with an error.
+   * Default: BACKWARD.
+   */
+  virtual void SetAnalysis(int analysis);
+  vtkGetMacro(Analysis, int);
+  void SetAnalysisToForward() { this->SetAnalysis(FORWARD); }
+  void SetAnalysisToBackward() { this->SetAnalysis(BACKWARD); }
+  void SetAnalysisToHybrid() { this->SetAnalysis(HYBRID); }
+  ///@}
+
+  ///@{
+  /**
+   * Texels a side of the light's depth image, which covers the focus evenly (section 6); it has to
+   * show the smallest feature of interest. Clamped to 16 to 8192. Default: 512.
+   */
+  vtkSetClampMacro(LightImageResolution, int, 16, 8192);
+  vtkGetMacro(LightImageResolution, int);
+  ///@}
+
+  ///@{
+  /**
+   * How far the depths of two neighbouring texels of the light's image are apart, along the light,
+   * if an edge lies between them, as a share of the diagonal of the scene's bounds. The paper takes
+   * its shadow bias for it (section 5.3); here the slopes of the two surfaces are taken off first,
+   * so that it can be small. Clamped to 0 to 1; at 0 all is an edge. A value that is not a number
+   * is refused with an error. Default: 0.001.
+   */
+  virtual void SetEdgeThreshold(double share);
+  vtkGetMacro(EdgeThreshold, double);
+  ///@}
+
+  ///@{
+  /**
+   * How much more important a surface is that faces the viewer: SURFACE_NORMAL is 1 + bonus ·
+   * clamp(−normal · view direction, 0, 1) (section 5.4, β). Clamped to 0 to 1000. A value that is
+   * not a number is refused with an error. Default: 2.
+   */
+  virtual void SetSurfaceNormalBonus(double bonus);
+  vtkGetMacro(SurfaceNormalBonus, double);
+  ///@}
+
+  ///@{
+  /**
+   * What is of interest: one of Interests; any other value is refused with an error. Default: VIEW.
+   */
+  virtual void SetInterest(int interest);
+  vtkGetMacro(Interest, int);
+  void SetInterestToView() { this->SetInterest(VIEW); }
+  void SetInterestToSphere() { this->SetInterest(SPHERE); }
+  ///@}
+
+  ///@{
+  /**
+   * Centre of the SPHERE, in world coordinates. Values that are not finite are refused with an
+   * error. Default: the origin.
+   */
+  virtual void SetInterestCentre(double x, double y, double z);
+  void SetInterestCentre(const double centre[3]) VTK_SIZEHINT(3);
+  vtkGetVector3Macro(InterestCentre, double);
+  ///@}
+
+  ///@{
+  /**
+   * Radius of the SPHERE, in world units. Clamped to at least 1e-30. A value that is not finite is
+   * refused with an error. Default: 1.
+   */
+  virtual void SetInterestRadius(double radius);
+  vtkGetMacro(InterestRadius, double);
+  ///@}
+
+  ///@{
+  /**
+   * Radius of what is of interest in the VIEW, as a share of half the picture's smaller side.
+   * Clamped to 0.001 to 10. A value that is not a number is refused with an error. Default: 0.5.
+   */
+  virtual void SetInterestViewRadius(double share);
+  vtkGetMacro(InterestViewRadius, double);
+  ///@}
+
+  ///@{
+  /**
+   * How much more important the CENTRE_OF_INTEREST is: 1 + bonus in it, 1 from twice its radius on,
+   * and smooth between. Clamped to 0 to 1000. A value that is not a number is refused with an
+   * error. Default: 4.
+   */
+  virtual void SetInterestBonus(double bonus);
+  vtkGetMacro(InterestBonus, double);
+  ///@}
+
+  ///@{
+  /**
+   * The user's own importance function: a GLSL expression, or a function's body with a return in
+   * it, of type float, over
+   *
+   *  - vec3 position: of a sample, in view coordinates (the eye in the origin, the view along −z),
+   * in world units;
+   *  - vec3 normal: of the surface there, in view coordinates, towards the viewer, of length 1;
+   *  - float depth: distance along the view's direction, in world units;
+   *  - float luminance: what this light alone, without its shadow, colour and falloff, gives a
+   * white matte surface: the cosine between the normal and the way to the light, 0 to 1. (Shaded
+   * pixels don't exist yet when samples are looked at.);
+   *  - vec2 footprint: what a pixel takes along the two axes of the light plane, as a share of what
+   * the map covers.
+   *
+   * What is negative or not a number counts as 0, and what exceeds 2^20 as that; values near 1 keep
+   * most precision in sums. It is compiled in the next frame that is drawn. If that fails an error
+   * is reported, once, with the compiler's messages; they name source 0 and this function's own
+   * lines. The last function that did compile stays in force until then; 1 if there was none. Empty
+   * is 1. Default: empty.
+   */
+  virtual void SetUserFunction(const char* glsl);
+  const char* GetUserFunction() const { return this->UserFunction.c_str(); }
+  ///@}
+
+  ///@{
+  /**
+   * Number of cells of each warping map (super-cells, section 3). Clamped to 16 to 2048. Default:
+   * 512.
    */
   vtkSetClampMacro(ImportanceResolution, int, 16, 2048);
   vtkGetMacro(ImportanceResolution, int);
@@ -52,8 +206,8 @@ public:
 
   ///@{
   /**
-   * Standard deviation of the Gaussian blur of the importance, in cells (section 4.2). Clamped to 0 to 64; 0 is no
-   * blur. Default: 3.
+   * Standard deviation of the Gaussian blur of the importance, in cells (section 4.2). Clamped to 0
+   * to 64; 0 is no blur. Default: 3.
    */
   virtual void SetBlurSigma(double sigma);
   vtkGetMacro(BlurSigma, double);
@@ -61,8 +215,9 @@ public:
 
   ///@{
   /**
-   * The least importance of a cell, as a share of the mean, so that nothing starves that the samples missed. Clamped
-   * to 0.0001 to 1; at 1 no cell gets less than half of what it would get without a warp. Default: 0.01.
+   * The least importance of a cell, as a share of the mean, so that nothing starves that the
+   * samples missed. Clamped to 0.0001 to 1; at 1 no cell gets less than half of what it would get
+   * without a warp. Default: 0.01.
    */
   virtual void SetImportanceFloor(double share);
   vtkGetMacro(ImportanceFloor, double);
@@ -77,6 +232,16 @@ protected:
   ~vtkRectilinearShadowMapWarp() override;
 
   int Importance = SQRT_DEMAND;
+  int Analysis = BACKWARD;
+  int LightImageResolution = 512;
+  double EdgeThreshold = 0.001;
+  double SurfaceNormalBonus = 2;
+  int Interest = VIEW;
+  double InterestCentre[3] = { 0, 0, 0 };
+  double InterestRadius = 1;
+  double InterestViewRadius = 0.5;
+  double InterestBonus = 4;
+  std::string UserFunction;
   int ImportanceResolution = 512;
   double BlurSigma = 3;
   double ImportanceFloor = 0.01;
@@ -85,6 +250,10 @@ private:
   vtkRectilinearShadowMapWarp(const vtkRectilinearShadowMapWarp&) = delete;
   void operator=(const vtkRectilinearShadowMapWarp&) = delete;
   void SetFinite(double& member, double value, double low, double high, const char* name);
+  void Choose(int& member, int value, int most, const char* name, const char* expected);
+  void Refuse(const std::string& log);
+
+  bool IsRefused = false; ///< the user's function, and that has been said
 };
 
 #endif

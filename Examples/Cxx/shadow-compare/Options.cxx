@@ -27,7 +27,8 @@ void ReadLight(const std::string& text, Options& options)
   }
   else
   {
-    rtw::Refuse("--light", text, "sun:DX,DY,DZ or spot:PX,PY,PZ,FX,FY,FZ,CONE with CONE from 0 to 180");
+    rtw::Refuse(
+      "--light", text, "sun:DX,DY,DZ or spot:PX,PY,PZ,FX,FY,FZ,CONE with CONE from 0 to 180");
   }
   if (!(glm::length(light.Direction) > 0))
   {
@@ -49,6 +50,36 @@ void ReadCamera(const std::string& text, Options& options)
   {
     rtw::Refuse("--camera", text, "a focal point that is not the position");
   }
+}
+
+std::vector<rtw::Importance> ReadImportance(const std::string& text)
+{
+  using Kind = rtw::Importance;
+  if (text == "published")
+  {
+    return { Kind::DESIRED_VIEW, Kind::DISTANCE_TO_EYE, Kind::SURFACE_NORMAL };
+  }
+  std::vector<Kind> kinds;
+  for (const std::string& part : rtw::Split(text, '+'))
+  {
+    kinds.push_back(rtw::Choose<Kind>("--importance", part,
+      { { "desired-view", Kind::DESIRED_VIEW }, { "distance", Kind::DISTANCE_TO_EYE },
+        { "normal", Kind::SURFACE_NORMAL }, { "sqrt-demand", Kind::SQRT_DEMAND },
+        { "edges", Kind::SHADOW_EDGE }, { "interest", Kind::CENTRE_OF_INTEREST },
+        { "user", Kind::USER_FUNCTION }, { "footprint", Kind::FOOTPRINT },
+        { "count", Kind::SAMPLE_COUNT } }));
+  }
+  return kinds;
+}
+
+void ReadInterest(const std::string& text, rtw::TechniqueSettings& settings)
+{
+  const std::vector<double> n = rtw::ToNumbers(text, 4);
+  if (n.empty() || !(n[3] > 0))
+  {
+    rtw::Refuse("--interest", text, "X,Y,Z,R with R above 0");
+  }
+  settings.Interest = { n[0], n[1], n[2], n[3] };
 }
 
 std::vector<rtw::CommandLineOption> Entries(Options& options)
@@ -103,11 +134,29 @@ std::vector<rtw::CommandLineOption> Entries(Options& options)
       [&](const std::string& value) {
         settings.Focus = Choose<bool>("--focus", value, { { "on", true }, { "off", false } });
       } },
-    { "--importance", "I", "of rtw: sqrt-demand or published",
+    { "--importance", "I+...",
+      "of rtw, multiplied: desired-view, distance, normal, sqrt-demand, edges,\n"
+      "interest, user, footprint, count; or published: the first three",
+      [&](const std::string& value) { settings.ImportanceKinds = ReadImportance(value); } },
+    { "--analysis", "A", "of rtw: forward, backward or hybrid",
       [&](const std::string& value) {
-        settings.ImportanceKind = Choose<Importance>("--importance", value,
-          { { "sqrt-demand", Importance::SQRT_DEMAND }, { "published", Importance::PUBLISHED } });
+        settings.AnalysisKind = Choose<Analysis>("--analysis", value,
+          { { "forward", Analysis::FORWARD }, { "backward", Analysis::BACKWARD },
+            { "hybrid", Analysis::HYBRID } });
       } },
+    { "--light-image", "N", "texels a side of the depth image of a forward or hybrid analysis",
+      [&](const std::string& value) {
+        settings.LightImage = ReadWhole("--light-image", value, 16, 8192);
+      } },
+    { "--edge-threshold", "S", "least step of depth at an edge, as a share of the scene's diagonal",
+      [&](const std::string& value) {
+        settings.EdgeThreshold = ReadNumber("--edge-threshold", value, 0, 1);
+      } },
+    { "--interest", "X,Y,Z,R",
+      "centre and radius of the sphere of interest; default the view's centre",
+      [&](const std::string& value) { ReadInterest(value, settings); } },
+    { "--user-function", "GLSL", "the user's own importance function",
+      [&](const std::string& value) { settings.UserFunction = value; } },
     { "--stages", "", "print the milliseconds of each stage on the GPU",
       [&](const std::string&) { settings.Stages = true; } },
     { "--out", "DIR", "write pictures, masks and differences there",
@@ -126,8 +175,7 @@ Options ParseOptions(int argc, char* argv[])
   rtw::ParseCommandLine(argc, argv, Entries(options), [&](const std::string& argument) {
     if (hasScene)
     {
-      throw rtw::UsageError(
-        argument + ": one scene only; " + options.Scene + " is given already");
+      throw rtw::UsageError(argument + ": one scene only; " + options.Scene + " is given already");
     }
     options.Scene = argument;
     hasScene = true;

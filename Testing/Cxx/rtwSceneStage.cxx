@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rtwSceneStage.h"
+
+#include "rtwScene.h"
+
+#include "vtkAdaptiveShadowMapPass.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkShadowRenderStepsPass.h"
+
+rtwSceneStage::rtwSceneStage(const std::string& scene)
+  : Name(scene)
+{
+  this->Window->SetSize(1024, 1024);
+  this->Window->SetMultiSamples(0);
+  this->Window->AddRenderer(this->Renderer);
+  rtw::AddToRenderer(rtw::MakeScene(scene), this->Renderer);
+  auto* light = vtkLight::SafeDownCast(this->Renderer->GetLights()->GetItemAsObject(0));
+  this->Truth = rtw::ShadowReference(this->Renderer).Trace(light, 1024, 1024);
+}
+
+rtw::ShadowErrors rtwSceneStage::Measure(vtkAdaptiveShadowMapPass* pass, int frames)
+{
+  vtkNew<vtkShadowRenderStepsPass> steps;
+  steps->SetShadowMapPass(pass);
+  this->Renderer->SetPass(steps);
+  const bool caching = pass->GetCaching();
+  pass->SetCaching(caching && frames == 1);
+  for (int frame = 0; frame < frames; ++frame)
+  {
+    this->Window->Render();
+  }
+  const rtw::ShadowErrors errors = rtw::Compare(rtw::MaskOf(pass->GetShadowMask(0)), this->Truth);
+  pass->SetCaching(caching);
+  steps->ReleaseGraphicsResources(this->Window);
+  this->Renderer->SetPass(nullptr);
+  return errors;
+}

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One of the shared scenes in a window, with the exact shadow of each pixel, and how far a pass is
+// from it.
+#ifndef rtwSceneStage_h
+#define rtwSceneStage_h
+
+#include "rtwCompare.h"
+#include "rtwReference.h"
+
+#include "vtkNew.h"
+#include "vtkRenderer.h"
+#include "vtkRenderWindow.h"
+
+#include <string>
+
+class vtkAdaptiveShadowMapPass;
+
+class rtwSceneStage
+{
+public:
+  /// 1024 × 1024 pixels.
+  explicit rtwSceneStage(const std::string& scene);
+
+  /// Of the last of so many frames, each made anew.
+  rtw::ShadowErrors Measure(vtkAdaptiveShadowMapPass* pass, int frames = 1);
+
+  vtkNew<vtkRenderWindow> Window;
+  vtkNew<vtkRenderer> Renderer;
+  rtw::Truth Truth;
+  std::string Name;
+};
+
+#endif

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rtwLightImages.h"
+
+namespace rtw
+{
+bool LightImages::Build()
+{
+  return this->Casters.Build(IdentityWarpStage().GetShape());
+}
+
+void LightImages::Start(int size, int lights, const WarpTable& focused)
+{
+  this->Images.Allocate(size, lights);
+  this->Table.Allocate(1, size, lights);
+  this->Table.CopyFocus(focused, lights);
+}
+
+bool LightImages::Draw(const GeometryStore& store, const LightFrame& frame, int light, bool cull)
+{
+  if (!this->Images.BindTarget(light))
+  {
+    return false;
+  }
+  this->Casters.StartLayer(light);
+  this->Casters.Draw(store, this->Table, frame, light, { cull, Bending::Linear });
+  return true;
+}
+
+std::size_t LightImages::GetMemory() const
+{
+  return this->Images.GetMemory() + this->Table.GetMemory() + this->Casters.GetMemory();
+}
+
+void LightImages::Release()
+{
+  this->Images.Release();
+  this->Table.Release();
+  this->Casters.Release();
+}
+
+void LightImages::Abandon()
+{
+  this->Images.Abandon();
+  this->Table.Abandon();
+  this->Casters.Abandon();
+}
+}

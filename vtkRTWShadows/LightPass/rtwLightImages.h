@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What each light sees of the focus, before there is a warp: the depth image of forward analysis
+// (Rosen 2012, section 4.1).
+#ifndef rtwLightImages_h
+#define rtwLightImages_h
+
+#include "rtwCasterDrawing.h"
+#include "rtwDenseLayers.h"
+#include "rtwWarpTable.h"
+
+namespace rtw
+{
+class LightImages
+{
+public:
+  /// Compiles; false, with the reason in GetLog(), where the driver can't.
+  bool Build();
+  std::string GetLog() const { return this->Casters.GetLog(); }
+  /// Makes images of that size, of as many lights, over the focus that each has in that table.
+  void Start(int size, int lights, const WarpTable& focused);
+  /// Draws a light's, and leaves it the target of drawing. False where the driver can't draw into
+  /// it.
+  bool Draw(const GeometryStore& store, const LightFrame& frame, int light, bool cull);
+  const DenseLayers& GetImages() const { return this->Images; }
+  std::size_t GetMemory() const;
+  void Release();
+  void Abandon();
+
+private:
+  DenseLayers Images;
+  WarpTable Table;
+  CasterDrawing Casters;
+};
+}
+
+#endif
