@@ -21,7 +21,6 @@ layout(std430, binding = 0) buffer Profile
   uint rtwProfile[]; // an axis of a layer, a profile, a cell: low and high part of a sum, or the bits of a maximum
 };
 uniform int rtwLayer;
-uniform int rtwFunctions;
 uniform float rtwNearest; // distance that has the importance 1
 uniform float rtwBeta;    // bonus of a surface that is seen head on
 uniform mat4 rtwViewToClip;
@@ -33,7 +32,7 @@ uniform vec4 rtwTowardsLight; // in view coordinates: where the light stands, or
 
 bool rtwIsOn(int function)
 {
-  return (rtwFunctions & function) != 0;
+  return (FUNCTIONS & function) != 0;
 }
 
 bool rtwIsSum()

@@ -82,8 +82,8 @@ bool ImportanceSettings::NeedsLightImages() const
 
 bool ImportanceStage::Shape::operator==(const Shape& other) const
 {
-  return this->Forward == other.Forward && this->At == other.At &&
-    this->Profiles == other.Profiles && this->Code == other.Code;
+  return this->Functions == other.Functions && this->Forward == other.Forward &&
+    this->At == other.At && this->Profiles == other.Profiles && this->Code == other.Code;
 }
 
 ImportanceStage::ImportanceStage(std::function<void(const std::string&)> refused)
@@ -95,6 +95,7 @@ ImportanceStage::ImportanceStage(std::function<void(const std::string&)> refused
 ImportanceStage::Shape ImportanceStage::ShapeOf(const ImportanceSettings& settings)
 {
   Shape shape;
+  shape.Functions = settings.Functions;
   shape.Forward = settings.Method == Analysis::Forward;
   if (settings.Functions & ShadowEdge)
   {
@@ -107,15 +108,16 @@ ImportanceStage::Shape ImportanceStage::ShapeOf(const ImportanceSettings& settin
 
 bool ImportanceStage::Compile(const Shape& shape, Program& program)
 {
-  const std::string profiles = "const int PROFILES = " + std::to_string(shape.Profiles) + ";\n";
+  const std::string definitions = "const int PROFILES = " + std::to_string(shape.Profiles) +
+    ";\nconst int FUNCTIONS = " + std::to_string(shape.Functions) + ";\n";
   const std::string body = BodyOf(shape.Code);
   const bool image = shape.Forward || shape.At == Edges::OfImage;
   const char* const edges = shape.At == Edges::None ? rtwEdgesNone
     : shape.At == Edges::OfImage                    ? rtwEdgesOfImage
                                                     : rtwEdgesOfMask;
   return program.Build({ { GL_COMPUTE_SHADER,
-    { profiles.c_str(), rtwWarpFocus, rtwViewSampleAccess, rtwLitSample, image ? rtwLightImage : "",
-      rtwUserFunction, body.c_str(), rtwImportance,
+    { definitions.c_str(), rtwWarpFocus, rtwViewSampleAccess, rtwLitSample,
+      image ? rtwLightImage : "", rtwUserFunction, body.c_str(), rtwImportance,
       shape.Forward ? rtwForwardSample : rtwBackwardSample, edges,
       shape.Forward ? rtwCollectImage : rtwCollectView } } });
 }
@@ -172,7 +174,6 @@ void ImportanceStage::Set(const ImportanceSettings& settings, const AnalysisInpu
   const View& view = input.Samples.GetView();
   const double width = view.Width, height = view.Height, smaller = std::min(width, height);
   const glm::dvec4 centre = view.WorldToView * glm::dvec4(settings.InterestCentre, 1);
-  program.Set("rtwFunctions", settings.Functions);
   program.Set("rtwBeta", float(settings.NormalBonus));
   program.Set("rtwNearest", NearestDistance(view));
   SetMatrix(program, "rtwViewToClip", view.ViewToClip);
@@ -213,9 +214,9 @@ void ImportanceStage::Analyse(const std::vector<LightFrame>& frames,
   const ImportanceSettings& settings, const AnalysisInput& input, const WarpTable& table)
 {
   this->Choose(settings);
-  this->Holds = settings.Functions & SqrtDemand ? Collected::SumUnderRoot
-    : settings.Functions & SampleCount          ? Collected::Sum
-                                                : Collected::Largest;
+  this->Holds = this->InForce.Functions & SqrtDemand ? Collected::SumUnderRoot
+    : this->InForce.Functions & SampleCount          ? Collected::Sum
+                                                     : Collected::Largest;
   const std::size_t numbers =
     std::size_t(2) * 2 * this->GetProfiles() * table.GetCells() * frames.size();
   this->Profile.Reserve(numbers * sizeof(unsigned int));

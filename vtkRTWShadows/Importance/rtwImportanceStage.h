@@ -94,6 +94,7 @@ private:
   /// What the code depends on.
   struct Shape
   {
+    int Functions = SqrtDemand; ///< not a uniform, which would cost each sample a branch a function
     bool Forward = false;
     Edges At = Edges::None;
     int Profiles = 1;
