@@ -49,7 +49,9 @@ int ToBit(Importance importance)
 static_assert(
   1 << static_cast<int>(Importance::SAMPLE_COUNT) == vtkRTWShadowMapPass::SAMPLE_COUNT &&
     1 << static_cast<int>(Importance::SQRT_DEMAND) == vtkRTWShadowMapPass::SQRT_DEMAND &&
-    static_cast<int>(Analysis::HYBRID) == vtkRTWShadowMapPass::HYBRID,
+    static_cast<int>(Analysis::HYBRID) == vtkRTWShadowMapPass::HYBRID &&
+    static_cast<int>(Rasterization::AUTOMATIC) == vtkRTWShadowMapPass::AUTOMATIC &&
+    static_cast<int>(SampleSource::PREVIOUS_FRAME) == vtkRTWShadowMapPass::PREVIOUS_FRAME,
   "one order");
 
 void ConfigureImportance(vtkRTWShadowMapPass* pass, const TechniqueSettings& settings)
@@ -84,8 +86,25 @@ void ConfigureImportance(vtkRTWShadowMapPass* pass, const TechniqueSettings& set
   }
 }
 
+void ConfigureDrawing(vtkAdaptiveShadowMapPass* pass, const TechniqueSettings& settings)
+{
+  if (settings.Rasterizing)
+  {
+    pass->SetRasterization(static_cast<int>(*settings.Rasterizing));
+  }
+  if (settings.EdgeLength)
+  {
+    pass->SetMaximumEdgeLength(*settings.EdgeLength);
+  }
+  if (settings.Samples)
+  {
+    pass->SetViewSampleSource(static_cast<int>(*settings.Samples));
+  }
+}
+
 void Configure(vtkAdaptiveShadowMapPass* pass, const TechniqueSettings& settings)
 {
+  ConfigureDrawing(pass, settings);
   pass->SetResolution(unsigned(settings.Resolution));
   pass->SetTimeStages(settings.Stages);
   if (settings.Filtering)

@@ -52,11 +52,28 @@ enum class Analysis
   HYBRID
 };
 
+enum class Rasterization
+{
+  LINEAR,
+  TESSELLATED,
+  EXACT,
+  AUTOMATIC
+};
+
+enum class SampleSource
+{
+  PREPASS,
+  PREVIOUS_FRAME
+};
+
 /// Settings that are not given stay what the technique has by itself.
 struct TechniqueSettings
 {
   int Resolution = 1024; // texels a side of a shadow map
   std::optional<Filter> Filtering;
+  std::optional<Rasterization> Rasterizing;
+  std::optional<double> EdgeLength; // of tessellated triangles at most, of the map's side
+  std::optional<SampleSource> Samples;
   std::optional<double> FilterRadius; // texels of PCF, world units of SOFT
   std::optional<bool> FilterJitter;
   std::optional<DepthTest> Test;

@@ -124,6 +124,22 @@ std::vector<rtw::CommandLineOption> Entries(Options& options)
         settings.FilterJitter =
           Choose<bool>("--filter-jitter", value, { { "on", true }, { "off", false } });
       } },
+    { "--rasterization", "R", "linear, tessellated, exact or automatic",
+      [&](const std::string& value) {
+        settings.Rasterizing = Choose<Rasterization>("--rasterization", value,
+          { { "linear", Rasterization::LINEAR }, { "tessellated", Rasterization::TESSELLATED },
+            { "exact", Rasterization::EXACT }, { "automatic", Rasterization::AUTOMATIC } });
+      } },
+    { "--edge-length", "L", "of tessellated triangles at most, of the map's side; default 0.025",
+      [&](const std::string& value) {
+        settings.EdgeLength = ReadNumber("--edge-length", value, 0.001, 1);
+      } },
+    { "--view-samples", "S", "prepass or previous-frame",
+      [&](const std::string& value) {
+        settings.Samples = Choose<SampleSource>("--view-samples", value,
+          { { "prepass", SampleSource::PREPASS },
+            { "previous-frame", SampleSource::PREVIOUS_FRAME } });
+      } },
     { "--depth-test", "T", "dual, receiver-plane or constant-bias",
       [&](const std::string& value) {
         settings.Test = Choose<DepthTest>("--depth-test", value,
