@@ -49,7 +49,7 @@ std::vector<rtw::CommandLineOption> Entries(Options& options)
     { "--size", "WxH", "of the picture in pixels; default 512x512, quick 256x256",
       [&](const std::string& value) { options.Size = ReadSize("--size", value); } },
     { "--minutes", "M",
-      "to take in all, where what is least takes no longer; default 12, quick 2.4",
+      "to take in all, where what is least takes no longer; default 9, quick 2.4",
       [&](const std::string& value) {
         options.Minutes = ReadNumber("--minutes", value, 0.01, 10000);
       } },
@@ -89,7 +89,7 @@ Options ParseOptions(int argc, char* argv[])
   }
   if (options.Minutes == 0)
   {
-    options.Minutes = options.Quick ? 2.4 : 12;
+    options.Minutes = options.Quick ? 2.4 : 9;
   }
   return options;
 }

@@ -17,7 +17,7 @@ struct Options
   std::vector<std::string> Techniques; // all if empty
   std::vector<int> Resolutions;        // of the family "maps"; its own if empty
   std::pair<int, int> Size{ 0, 0 };    // of the picture; 0 for 512 x 512, or 256 x 256 if quick
-  double Minutes = 0;                  // aimed at; 0 for 12, or 2.4 if quick
+  double Minutes = 0;                  // aimed at; 0 for 9, or 2.4 if quick
   int Frames = 60;                     // of a lap, at places along the path, at most
   int Laps = 3;                        // the benchmark's repetitions, a tiny step apart
   int ErrorViews = 2;                  // places on the path where pixels are compared
