@@ -76,7 +76,10 @@ void TestOtherCuts()
   stage.Pass->SetViewSampleSourceToPreviousFrame();
   stage.Render();
   vtkCamera* camera = stage.Renderer->GetActiveCamera();
-  camera->Zoom(0.7);
+  camera->Zoom(6);
+  stage.Render();
+  stage.Render();
+  camera->Zoom(0.16);
   stage.Render();
   Check(stage, light, "zoomed out");
   camera->Roll(20);
