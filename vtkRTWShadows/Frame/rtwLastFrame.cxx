@@ -22,9 +22,8 @@ bool IsAbout(double a, double b)
 void LastFrame::Capture(const View& view, std::uint64_t signature)
 {
   this->Viewed = view;
-  this->Signature = signature;
   this->Depth.Allocate(Format::Depth, view.Width, view.Height);
-  this->Depth.CopyFromTarget(view.OriginX, view.OriginY);
+  this->Signature = this->Depth.CopyFromTarget(view.OriginX, view.OriginY) ? signature : 0;
 }
 
 bool LastFrame::Resembles(const View& view, double sceneSize) const

@@ -13,8 +13,8 @@ namespace rtw
 class LastFrame
 {
 public:
-  /// Takes the depth of the view's pixels from the framebuffer that is drawn into, which has one
-  /// sample a pixel. The signature is that of all that it shows.
+  /// Takes the depth of the view's pixels from the framebuffer that is drawn into; none where that
+  /// has several samples a pixel. The signature is that of all that it shows.
   void Capture(const View& view, std::uint64_t signature);
   void Forget() { this->Signature = 0; }
 

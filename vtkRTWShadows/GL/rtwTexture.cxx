@@ -71,8 +71,14 @@ void Texture::Allocate(Format format, int width, int height, int layers)
   glBindTexture(target, 0);
 }
 
-void Texture::CopyFromTarget(int x, int y) const
+bool Texture::CopyFromTarget(int x, int y) const
 {
+  GLint samples = 0;
+  glGetIntegerv(GL_SAMPLES, &samples);
+  if (samples > 1)
+  {
+    return false;
+  }
   GLint target = 0, source = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
   glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &source);
@@ -81,6 +87,7 @@ void Texture::CopyFromTarget(int x, int y) const
   glCopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, x, y, this->Width, this->Height);
   glBindTexture(GL_TEXTURE_2D, 0);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(source));
+  return true;
 }
 
 void Texture::Bind(int unit) const

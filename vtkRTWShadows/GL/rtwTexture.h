@@ -27,7 +27,8 @@ public:
   /// Makes it so large, of that format; nothing happens where it already is. `layers` 0 is no array.
   void Allocate(Format format, int width, int height, int layers = 0);
   /// Copies as large a part of what is drawn into, from that pixel on; of the depth, if it is a depth texture.
-  void CopyFromTarget(int x, int y) const;
+  /// False where that has several samples a pixel, of which there is no copy.
+  bool CopyFromTarget(int x, int y) const;
   /// Binds it to a texture unit, by its number.
   void Bind(int unit) const;
   void Unbind(int unit) const;

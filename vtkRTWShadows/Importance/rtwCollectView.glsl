@@ -1,5 +1,4 @@
 // Backward analysis (Rosen 2012, section 4.1): a work group collects a tile of view samples, then adds what it found.
-const int TILE = 64;
 const int MOST_CELLS = 2048;
 shared uint rtwTile[PROFILES * 2 * MOST_CELLS];
 
@@ -10,8 +9,9 @@ void rtwAdd(int profile, ivec2 cell, uvec2 value)
   atomicAdd(rtwTile[first + MOST_CELLS + cell.y], value.y);
 }
 
-void rtwAddSample(LitSample s, vec4 focus)
+void rtwVisit(LitSample s)
 {
+  vec4 focus = rtwFocus(rtwLayer);
   ivec2 cell = rtwCell(s, focus);
   bool edge = !rtwIsOn(SHADOW_EDGE) || rtwAtShadowEdge(s, focus);
   vec2 asked = rtwAsked(s, focus, edge);
@@ -54,24 +54,7 @@ void main()
     rtwTile[i] = 0u;
   }
   barrier();
-  vec4 focus = rtwFocus(rtwLayer);
-  ivec2 size = rtwNumberOfSamples();
-  ivec2 corner = ivec2(gl_WorkGroupID.xy) * TILE + ivec2(gl_LocalInvocationID.xy);
-  for (int y = 0; y < TILE; y += 16)
-  {
-    for (int x = 0; x < TILE; x += 16)
-    {
-      ivec2 pixel = corner + ivec2(x, y);
-      if (all(lessThan(pixel, size)))
-      {
-        LitSample s = rtwLoadSample(pixel);
-        if (s.used)
-        {
-          rtwAddSample(s, focus);
-        }
-      }
-    }
-  }
+  rtwVisitTile();
   barrier();
   for (int i = int(me); i < PROFILES * 2 * rtwWarpSize.x; i += 256)
   {

@@ -32,7 +32,7 @@ namespace rtw
 {
 namespace
 {
-constexpr int Tile = 64;  // of rtwCollectView.glsl
+constexpr int Tile = 64;  // of rtwBackwardSample.glsl
 constexpr int Group = 16; // of rtwImportance.glsl
 constexpr int DepthUnit = 1;
 constexpr int GradientUnit = 2;

@@ -21,7 +21,29 @@ LitSample rtwLoadSample(ivec2 index)
   return s;
 }
 
-ivec2 rtwNumberOfSamples()
+const int TILE = 64; // samples a side that a work group of 16 times 16 looks at
+
+// What a stage does with a sample.
+void rtwVisit(LitSample s);
+
+// All samples of the work group's tile that the light reaches.
+void rtwVisitTile()
 {
-  return max(textureSize(rtwSamples, 0) / rtwStride, ivec2(1));
+  ivec2 size = max(textureSize(rtwSamples, 0) / rtwStride, ivec2(1));
+  ivec2 corner = ivec2(gl_WorkGroupID.xy) * TILE + ivec2(gl_LocalInvocationID.xy);
+  for (int y = 0; y < TILE; y += 16)
+  {
+    for (int x = 0; x < TILE; x += 16)
+    {
+      ivec2 pixel = corner + ivec2(x, y);
+      if (all(lessThan(pixel, size)))
+      {
+        LitSample s = rtwLoadSample(pixel);
+        if (s.used)
+        {
+          rtwVisit(s);
+        }
+      }
+    }
+  }
 }

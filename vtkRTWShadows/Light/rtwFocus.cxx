@@ -21,7 +21,7 @@ namespace rtw
 namespace
 {
 constexpr float Margin = 1e-4f; // of the focus' extent, for rounding
-constexpr int Tile = 64;        // as in rtwFocusReduction.glsl
+constexpr int Tile = 64;        // as in rtwBackwardSample.glsl
 
 // An order that floats and unsigned integers share, as in the shader.
 std::uint32_t Ordered(double value)

@@ -1,7 +1,6 @@
 // The bounds on the light plane of all view samples that the light can reach: the desired view (Rosen 2012, section 5.1; Milet
 // et al. 2015, section 3.3), by parallel reduction.
 layout(local_size_x = 16, local_size_y = 16) in;
-const int TILE = 64; // samples a side that a work group looks at
 
 layout(std430, binding = 0) buffer Bounds
 {
@@ -19,31 +18,20 @@ uint rtwOrdered(float x)
   return (bits & 0x80000000u) != 0u ? ~bits : bits | 0x80000000u;
 }
 
+vec4 rtwSeen = vec4(1e30, 1e30, -1e30, -1e30); // by this invocation
+
+// It speaks for the pixels around it too.
+void rtwVisit(LitSample s)
+{
+  vec2 reach = rtwReach * s.footprint + rtwFilterWidth / s.w;
+  rtwSeen = vec4(min(rtwSeen.xy, s.onLight - reach), max(rtwSeen.zw, s.onLight + reach));
+}
+
 void main()
 {
-  ivec2 size = rtwNumberOfSamples();
-  vec4 bounds = vec4(1e30, 1e30, -1e30, -1e30);
-  ivec2 corner = ivec2(gl_WorkGroupID.xy) * TILE + ivec2(gl_LocalInvocationID.xy);
-  for (int y = 0; y < TILE; y += 16)
-  {
-    for (int x = 0; x < TILE; x += 16)
-    {
-      ivec2 pixel = corner + ivec2(x, y);
-      if (all(lessThan(pixel, size)))
-      {
-        LitSample s = rtwLoadSample(pixel);
-        if (s.used)
-        {
-          // It speaks for the pixels around it too.
-          vec2 reach = rtwReach * s.footprint + rtwFilterWidth / s.w;
-          bounds.xy = min(bounds.xy, s.onLight - reach);
-          bounds.zw = max(bounds.zw, s.onLight + reach);
-        }
-      }
-    }
-  }
+  rtwVisitTile();
   uint me = gl_LocalInvocationIndex;
-  rtwPartial[me] = bounds;
+  rtwPartial[me] = rtwSeen;
   barrier();
   for (uint step = 128u; step > 0u; step /= 2u)
   {

@@ -109,9 +109,19 @@ void vtkRectilinearShadowMapWarp::SetUserFunction(const char* glsl)
 // Each pass that this warp serves compiles it by itself.
 void vtkRectilinearShadowMapWarp::Refuse(const std::string& log)
 {
-  if (!this->IsRefused)
+  if (this->IsRefused)
   {
-    this->IsRefused = true;
+    return;
+  }
+  this->IsRefused = true;
+  if ((this->Importance & USER_FUNCTION) == 0)
+  {
+    vtkErrorMacro("the driver refuses Importance "
+      << this->Importance << " with Analysis " << this->Analysis << ":\n"
+      << log << "The last that it took stay in force.");
+  }
+  else
+  {
     vtkErrorMacro("UserFunction doesn't compile:\n"
       << this->UserFunction << "\n"
       << log
