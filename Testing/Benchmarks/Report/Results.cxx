@@ -14,6 +14,11 @@
 
 namespace
 {
+double Mean(const std::vector<double>& values)
+{
+  return std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
+}
+
 // "family/key:value/key:value", where no value has a slash.
 void ReadName(Line& line)
 {
@@ -74,7 +79,11 @@ std::string Line::Key(const std::string& key) const
 double Line::Value(const std::string& counter) const
 {
   const auto at = this->Counters.find(counter);
-  return at == this->Counters.end() ? 0 : rtw::Median(at->second);
+  if (at == this->Counters.end())
+  {
+    return 0;
+  }
+  return counter.rfind("to_", 0) == 0 ? Mean(at->second) : rtw::Median(at->second);
 }
 
 double Line::Noise(const std::string& counter) const
@@ -85,7 +94,7 @@ double Line::Noise(const std::string& counter) const
     return 0;
   }
   const std::vector<double>& values = at->second;
-  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
+  const double mean = Mean(values);
   double sum = 0;
   for (const double value : values)
   {

@@ -18,7 +18,8 @@ struct Line
 
   std::string Key(const std::string& key) const;
   bool Has(const std::string& counter) const { return this->Counters.count(counter) > 0; }
-  /// The middle of the laps; 0 if the line has no such counter.
+  /// The middle of the laps, or the mean of ratios of times, which another run comes closer to; 0
+  /// if the line has no such counter.
   double Value(const std::string& counter) const;
   /// The standard deviation of a lap, as a share of the mean; 0 with less than two.
   double Noise(const std::string& counter) const;
