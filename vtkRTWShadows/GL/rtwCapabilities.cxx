@@ -2,8 +2,21 @@
 
 #include "rtwOpenGL.h"
 
+#include <string>
+
 namespace rtw
 {
+namespace
+{
+bool IsSoftware()
+{
+  const GLubyte* name = glGetString(GL_RENDERER);
+  const std::string renderer = name ? reinterpret_cast<const char*>(name) : "";
+  return renderer.find("llvmpipe") != std::string::npos ||
+    renderer.find("softpipe") != std::string::npos;
+}
+}
+
 Capabilities Capabilities::Query()
 {
   Capabilities found;
@@ -24,6 +37,9 @@ Capabilities Capabilities::Query()
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &found.MaximumTextureSize);
   glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &found.MaximumLayers);
   glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &found.MaximumTexels);
+  GLint alignment = 256;
+  glGetIntegerv(GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT, &alignment);
+  found.FastUniforms = found.Compute && alignment <= 32 && IsSoftware();
   return found;
 }
 }

@@ -10,6 +10,8 @@ struct Capabilities
   int Minor = 0;
   bool Compute = false;    ///< compute shaders, storage buffers (vertex shaders' too) and indirect draws: OpenGL 4.3
   bool DepthClamp = false; ///< OpenGL 3.2
+  /// Whether shaders run on the CPU, where an array of uniforms is read faster than a buffer, whatever the index.
+  bool FastUniforms = false;
   int MaximumTextureSize = 0;
   int MaximumLayers = 0;
   int MaximumTexels = 0; ///< of a buffer texture

@@ -52,6 +52,12 @@ void TexelBuffer::Unbind(int unit) const
   glBindTexture(GL_TEXTURE_BUFFER, 0);
 }
 
+void TexelBuffer::BindUniforms(unsigned int binding, std::size_t offset, std::size_t bytes) const
+{
+  glBindBufferRange(GL_UNIFORM_BUFFER, binding, this->Values.GetId(),
+    static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes));
+}
+
 void TexelBuffer::Release()
 {
   if (this->Texture)

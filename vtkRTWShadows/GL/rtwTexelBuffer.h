@@ -28,6 +28,7 @@ public:
   void Bind(int unit) const;
   void Unbind(int unit) const;
   void BindStorage(unsigned int binding) const { this->Values.BindStorage(binding); }
+  void BindUniforms(unsigned int binding, std::size_t offset, std::size_t bytes) const;
   std::size_t GetMemory() const { return this->Values.GetSize(); }
   void Release();
   void Abandon();

@@ -24,7 +24,6 @@
 #include "rtwThinCasterFS.h"
 #include "rtwThinCasterVS.h"
 #include "rtwWarpFocus.h"
-#include "rtwWarpTable.h"
 
 #include <algorithm>
 #include <vector>
@@ -81,18 +80,19 @@ std::array<Buffer*, 7> CasterDrawing::Buffers()
     &this->BentCasters, &this->Covers, &this->Counts };
 }
 
-bool CasterDrawing::Build(const WarpShape& warp)
+bool CasterDrawing::Build(const WarpShape& warp, TableAccess access)
 {
-  if (this->Warp != warp.Name)
+  if (this->Warp != warp.Name || this->Access != access)
   {
     for (Program* program : this->Programs())
     {
       program->Release();
     }
     this->Warp = warp.Name;
+    this->Access = access;
   }
   const std::string limits = Limits();
-  const char* const stored = WarpTable::InStorage;
+  const char* const stored = WarpTable::DefinitionOf(access);
   return this->Focusing.Build(
            { { GL_COMPUTE_SHADER, { stored, rtwWarpFocus, rtwFocusMatrices } } }) &&
     this->Culling.Build({ { GL_COMPUTE_SHADER,
@@ -145,6 +145,7 @@ void CasterDrawing::Prepare(const Program& program, const Layer& layer) const
 {
   program.Use();
   layer.Table.Bind(program);
+  layer.Table.BindLayer(layer.Index);
   program.Set("rtwLayer", layer.Index);
   program.Set("rtwNearestW", NearestW(layer.Frame));
   const Bending bends = layer.Options.Bends;

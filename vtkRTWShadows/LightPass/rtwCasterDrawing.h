@@ -9,6 +9,7 @@
 #include "rtwLightFrame.h"
 #include "rtwProgram.h"
 #include "rtwWarpStage.h"
+#include "rtwWarpTable.h"
 
 #include <array>
 #include <cstddef>
@@ -17,7 +18,6 @@
 namespace rtw
 {
 class GeometryStore;
-class WarpTable;
 
 /// What becomes of triangles that the warp bends; the numbers are the users'.
 enum class Bending
@@ -45,7 +45,7 @@ class CasterDrawing
 {
 public:
   /// Compiles for that warp; false, with the reason in GetLog(), where the driver can't.
-  bool Build(const WarpShape& warp);
+  bool Build(const WarpShape& warp, TableAccess access);
   std::string GetLog() const;
   /// Forgets what it counted of a layer.
   void StartLayer(int layer);
@@ -78,6 +78,7 @@ private:
   void DrawThin(const Layer& layer);
 
   std::string Warp;
+  TableAccess Access = TableAccess::Storage;
   Program Focusing, Culling, CullingTriangles, SettingUp, Straight, Bent, Patches, Thin;
   Buffer LightMatrices, Matrices, Work, StraightCasters, BentCasters, Covers, Counts;
   PulledVertices Pulled;

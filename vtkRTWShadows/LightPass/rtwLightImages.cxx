@@ -5,7 +5,7 @@ namespace rtw
 {
 bool LightImages::Build()
 {
-  return this->Casters.Build(IdentityWarpStage().GetShape());
+  return this->Casters.Build(IdentityWarpStage().GetShape(), TableAccess::Storage);
 }
 
 void LightImages::Start(int size, int lights, const WarpTable& focused)

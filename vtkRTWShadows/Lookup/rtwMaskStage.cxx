@@ -9,7 +9,6 @@
 #include "rtwViewSampleAccess.h"
 #include "rtwViewSampler.h"
 #include "rtwWarpFocus.h"
-#include "rtwWarpTable.h"
 
 namespace rtw
 {
@@ -19,20 +18,21 @@ constexpr int DepthUnit = 1;
 constexpr int GradientUnit = 2;
 }
 
-bool MaskStage::Build(const ReceiverShape& shape)
+bool MaskStage::Build(const ReceiverShape& shape, TableAccess access)
 {
   ReceiverShape one = shape; // each light is drawn by itself
   one.Switched = { 0 };
-  if (!(one == this->Shape))
+  if (!(one == this->Shape) || this->Access != access)
   {
     this->Drawing.Release();
     this->Shape = one;
+    this->Access = access;
   }
   const std::string definitions = DefinitionsOf(one), lookup = LookupCode(one);
   return this->Drawing.Build(
     { { GL_VERTEX_SHADER, { rtwScreenVS } },
       { GL_FRAGMENT_SHADER,
-        { definitions.c_str(), rtwWarpFocus, one.Warp.Function, lookup.c_str(), rtwViewSampleAccess,
+        { WarpTable::DefinitionOf(access), definitions.c_str(), rtwWarpFocus, one.Warp.Function, lookup.c_str(), rtwViewSampleAccess,
           rtwMaskValue, rtwMaskFS } } },
     150);
 }
@@ -57,6 +57,7 @@ void MaskStage::Render(const ReceiverLights& lights, int otherLayers, const View
       return;
     }
     this->Drawing.Set("rtwFirstLayer", light);
+    table.BindLayer(light);
     this->Drawing.SetMatrix("rtwToLight", lights.ToLight.data() + 16 * light);
     glUniform4fv(this->Drawing.Location("rtwCone"), 1, lights.Cone.data() + 4 * light);
     glUniform4fv(this->Drawing.Location("rtwTolerance"), 1, lights.Tolerance.data() + 4 * light);

@@ -8,6 +8,7 @@
 #include "rtwProgram.h"
 #include "rtwReceiverShader.h"
 #include "rtwTexture.h"
+#include "rtwWarpTable.h"
 
 #include <string>
 
@@ -15,13 +16,12 @@ namespace rtw
 {
 class DenseLayers;
 class ViewSampler;
-class WarpTable;
 
 class MaskStage
 {
 public:
   /// Compiles for that shape, unless that is done; false, with the reason in GetLog(), where the driver can't.
-  bool Build(const ReceiverShape& shape);
+  bool Build(const ReceiverShape& shape, TableAccess access);
   const std::string& GetLog() const { return this->Drawing.GetLog(); }
   /// One layer a light.
   void Render(const ReceiverLights& lights, int otherLayers, const ViewSampler& samples,
@@ -32,6 +32,7 @@ public:
 
 private:
   ReceiverShape Shape;
+  TableAccess Access = TableAccess::Texels;
   Program Drawing;
   Texture Mask;
   Framebuffer Target;

@@ -63,7 +63,8 @@ bool ShadowPipeline::Build()
     return false;
   }
   const bool built = this->Sampler.Build() && this->Focus.Build() && this->Warp->Build() &&
-    this->Casters.Build(this->Warp->GetShape());
+    this->Casters.Build(this->Warp->GetShape(),
+      this->Can.FastUniforms ? TableAccess::Uniforms : TableAccess::Storage);
   this->Problem = built ? std::string()
                         : "the driver refused a shader: " + this->Sampler.GetLog() +
       this->Focus.GetLog() + this->Warp->GetLog() + this->Casters.GetLog();

@@ -113,6 +113,7 @@ public:
 
 private:
   bool Build();
+  bool HasUniformTable() const { return this->Can.FastUniforms && this->Table.FitsUniforms(); }
   void Abandon();
   void MakeFrames(const FrameScene& scene, const std::vector<ShadowLight>& lights);
   std::vector<Rectangle> UnsampledReceivers(const FrameScene& scene, double beyond) const;

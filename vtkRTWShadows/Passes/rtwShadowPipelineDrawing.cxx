@@ -158,6 +158,11 @@ void ShadowPipeline::Draw(const FrameScene& scene, const std::vector<ShadowLight
   this->Layers.Allocate(options.Resolution, layers + this->OtherLayers);
   this->Table.Allocate((this->OwnDrawing ? this->Warp : this->Fallback)->GetCells(),
     options.Resolution, layers + this->OtherLayers);
+  if (this->OwnDrawing)
+  {
+    this->Casters.Build(this->Warp->GetShape(),
+      this->HasUniformTable() ? TableAccess::Uniforms : TableAccess::Storage);
+  }
   const Texture& mask = this->Masking.GetMask();
   const Texture* const lastMask = this->HasMask && mask.GetLayers() == layers ? &mask : nullptr;
   this->HasSamples = this->HasMask = false;
@@ -205,7 +210,9 @@ void ShadowPipeline::DrawViewSamples(StateGuard& guard, const std::function<void
 void ShadowPipeline::DrawMask(const PipelineOptions& options)
 {
   StageTimers::Scope timer(this->Timers, "mask");
-  if (this->HasSamples && this->Masking.Build(options.Shape))
+  const bool uniforms = this->HasUniformTable() && this->OtherLayers == 0;
+  if (this->HasSamples &&
+    this->Masking.Build(options.Shape, uniforms ? TableAccess::Uniforms : TableAccess::Texels))
   {
     this->Masking.Render(
       ReceiverLights::Make(this->Frames, this->Viewed, options.Lookup, this->SceneSize),

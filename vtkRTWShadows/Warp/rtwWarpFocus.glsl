@@ -2,7 +2,12 @@
 //
 // Rows of a layer: forward along s, forward along t, inverse along s, inverse along t. Behind the last cell of the first two
 // stands the focus along that axis: its low end, and one over its extent.
-#ifdef RTW_TABLE_IN_STORAGE
+#if defined(RTW_TABLE_IN_UNIFORMS)
+layout(std140) uniform WarpTableOfLayer // of the layer that is worked on; at binding 0, as any block is at first
+{
+  vec4 rtwWarpPairs[4096];
+};
+#elif defined(RTW_TABLE_IN_STORAGE)
 layout(std430, binding = 7) readonly buffer WarpTable
 {
   vec2 rtwWarpTable[];
@@ -19,7 +24,11 @@ int rtwWarpPlace(int row, int i)
 
 vec2 rtwWarpEntry(int row, int i)
 {
-#ifdef RTW_TABLE_IN_STORAGE
+#if defined(RTW_TABLE_IN_UNIFORMS)
+  int place = rtwWarpPlace(row & 3, i);
+  vec4 two = rtwWarpPairs[place >> 1];
+  return (place & 1) == 0 ? two.xy : two.zw;
+#elif defined(RTW_TABLE_IN_STORAGE)
   return rtwWarpTable[rtwWarpPlace(row, i)];
 #else
   return texelFetch(rtwWarpTable, rtwWarpPlace(row, i)).rg;

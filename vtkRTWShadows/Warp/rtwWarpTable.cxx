@@ -8,6 +8,19 @@
 
 namespace rtw
 {
+const char* WarpTable::DefinitionOf(TableAccess access)
+{
+  switch (access)
+  {
+    case TableAccess::Uniforms:
+      return "#define RTW_TABLE_IN_UNIFORMS\n";
+    case TableAccess::Storage:
+      return "#define RTW_TABLE_IN_STORAGE\n";
+    default:
+      return "";
+  }
+}
+
 void WarpTable::Allocate(int cells, int resolution, int layers)
 {
   this->Cells = cells;
@@ -18,7 +31,9 @@ void WarpTable::Allocate(int cells, int resolution, int layers)
     ++this->BendLevels;
   }
   this->Rows = RowsPerLayer * layers;
-  this->Table.Allocate(2, std::size_t(this->Rows) * this->GetRowLength());
+  // Uniforms of the last layer reach behind it.
+  this->Table.Allocate(2,
+    std::size_t(this->Rows) * this->GetRowLength() + UniformBytes / (2 * sizeof(float)));
   this->Bends.Allocate(4, std::size_t(cells) * 2 * layers * this->BendLevels);
 }
 
@@ -81,6 +96,19 @@ void WarpTable::Bind(const Program& program) const
   program.Set("rtwWarpTable", Unit);
   glUniform2i(program.Location("rtwWarpSize"), this->Cells, this->Resolution);
   program.Set("rtwBendLevels", this->BendLevels);
+}
+
+std::size_t WarpTable::GetLayerBytes() const
+{
+  return RowsPerLayer * this->GetRowLength() * 2 * sizeof(float);
+}
+
+void WarpTable::BindLayer(int layer) const
+{
+  if (this->FitsUniforms())
+  {
+    this->Table.BindUniforms(UniformBinding, layer * this->GetLayerBytes(), UniformBytes);
+  }
 }
 
 Rectangle WarpTable::ReadFocus(int layer) const

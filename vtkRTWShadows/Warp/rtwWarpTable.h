@@ -13,16 +13,25 @@ namespace rtw
 {
 class Program;
 
+/// How a shader reads the table.
+enum class TableAccess
+{
+  Texels,  ///< any shader can
+  Storage, ///< is faster where there are storage buffers
+  Uniforms ///< is faster where Capabilities::FastUniforms; one layer at a time, if FitsUniforms()
+};
+
 class WarpTable
 {
 public:
   static constexpr int RowsPerLayer = 4;
   static constexpr int Unit = 5; ///< texture unit in our own programs
   static constexpr int BendUnit = 6;
-  /// Defined before rtwWarpFocus.glsl, lets it read the table from storage, which is faster where
-  /// there are storage buffers.
-  static constexpr const char* InStorage = "#define RTW_TABLE_IN_STORAGE\n";
-  static constexpr unsigned int StorageBinding = 7; // as there
+  static constexpr unsigned int StorageBinding = 7; // as in rtwWarpFocus.glsl
+  static constexpr unsigned int UniformBinding = 0; // as there
+  static constexpr std::size_t UniformBytes = 4096 * 16; // as there
+  /// To stand before rtwWarpFocus.glsl.
+  static const char* DefinitionOf(TableAccess access);
 
   void Allocate(int cells, int resolution, int layers);
   /// Sets a layer's focus from the CPU.
@@ -33,6 +42,9 @@ public:
   void WriteIdentity(int layer);
   /// Gives a program of ours the table.
   void Bind(const Program& program) const;
+  /// For shaders that read it as uniforms, where it fits.
+  void BindLayer(int layer) const;
+  bool FitsUniforms() const { return this->GetLayerBytes() <= UniformBytes; }
   const TexelBuffer& GetValues() const { return this->Table; }
   const TexelBuffer& GetBends() const { return this->Bends; }
   /// Elements in a row of the table.
@@ -49,6 +61,7 @@ public:
   void Abandon();
 
 private:
+  std::size_t GetLayerBytes() const;
   void WriteRow(int row, int first, const std::vector<float>& values);
 
   TexelBuffer Table, Bends;
