@@ -36,7 +36,8 @@ public:
 
   rtw::WarpShape GetShape() const override
   {
-    return { "rectilinear-shifted", this->Function.c_str(), this->Whole->GetShape().Bend };
+    const rtw::WarpShape whole = this->Whole->GetShape();
+    return { "rectilinear-shifted", this->Function.c_str(), whole.Bend, whole.Slope };
   }
   bool NeedsViewSamples() const override { return this->Whole->NeedsViewSamples(); }
   int GetCells() const override { return this->Whole->GetCells(); }

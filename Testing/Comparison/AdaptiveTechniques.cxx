@@ -51,7 +51,8 @@ static_assert(
     1 << static_cast<int>(Importance::SQRT_DEMAND) == vtkRTWShadowMapPass::SQRT_DEMAND &&
     static_cast<int>(Analysis::HYBRID) == vtkRTWShadowMapPass::HYBRID &&
     static_cast<int>(Rasterization::AUTOMATIC) == vtkRTWShadowMapPass::AUTOMATIC &&
-    static_cast<int>(SampleSource::PREVIOUS_FRAME) == vtkRTWShadowMapPass::PREVIOUS_FRAME,
+    static_cast<int>(SampleSource::PREVIOUS_FRAME) == vtkRTWShadowMapPass::PREVIOUS_FRAME &&
+    static_cast<int>(DebugPicture::LAYERS) == vtkRTWShadowMapPass::LAYERS,
   "one order");
 
 void ConfigureImportance(vtkRTWShadowMapPass* pass, const TechniqueSettings& settings)
@@ -158,6 +159,12 @@ std::vector<unsigned char> AdaptiveTechnique::MakeMask()
 TexelFunction AdaptiveTechnique::GetTexels()
 {
   return TexelsOf(this->Shadows, 0);
+}
+
+bool AdaptiveTechnique::SetDebugPicture(DebugPicture picture)
+{
+  this->Shadows->SetDebugView(static_cast<int>(picture));
+  return true;
 }
 
 std::vector<Stage> AdaptiveTechnique::GetStages()

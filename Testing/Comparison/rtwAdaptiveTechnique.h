@@ -21,6 +21,7 @@ public:
   void SetRebuilding(bool rebuilding) override { this->Shadows->SetCaching(!rebuilding); }
   std::vector<unsigned char> MakeMask() override;
   TexelFunction GetTexels() override;
+  bool SetDebugPicture(DebugPicture picture) override;
   int64_t GetMemory() override { return this->Shadows->GetShadowMemory(); }
   std::vector<Stage> GetStages() override;
   void ReleaseGraphicsResources(vtkWindow* window) override;

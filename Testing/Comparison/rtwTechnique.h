@@ -66,6 +66,17 @@ enum class SampleSource
   PREVIOUS_FRAME
 };
 
+/// What a picture can show of a map instead of its shadows.
+enum class DebugPicture
+{
+  NONE,
+  SHADOW,
+  ALIASING_ERROR,
+  IMPORTANCE,
+  WARP_GRID,
+  LAYERS
+};
+
 /// Settings that are not given stay what the technique has by itself.
 struct TechniqueSettings
 {
@@ -117,6 +128,9 @@ public:
 
   /// Where points lie on the first light's map of the last frame; empty if that is not known.
   virtual TexelFunction GetTexels() { return {}; }
+
+  /// What frames from now on show of the first light's map. False if there is no such picture.
+  virtual bool SetDebugPicture(DebugPicture) { return false; }
 
   /// Bytes of the shadow maps and what comes with them.
   virtual int64_t GetMemory() = 0;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The very first frame has the right shadow, whatever the technique, chain and kind of light.
-#include "rtwShadowStage.h"
+#include "rtwDebugViews.h"
+
+#include "vtkLightCollection.h"
 
 namespace
 {
@@ -23,6 +25,17 @@ void TestOneFrame(const Named& technique, rtwChain chain, bool spot)
   RTW_CHECK_SHADOWS(stage, light, 0);
   RTW_CHECK_PICTURE(stage);
 }
+
+// Also of what only VTK's own mappers draw, before any light has been set up.
+void TestGlyphs(rtwChain chain)
+{
+  rtwShadowStage stage(rtwTechnique::RTW, chain);
+  stage.Name = chain == rtwChain::Classic ? "glyphs classic" : "glyphs steps";
+  rtwFillForDebugViews(stage);
+  stage.Render();
+  auto* sun = vtkLight::SafeDownCast(stage.Renderer->GetLights()->GetItemAsObject(0));
+  RTW_CHECK_SHADOWS(stage, sun, 0);
+}
 }
 
 int TestShadowFirstFrame(int, char*[])
@@ -35,5 +48,7 @@ int TestShadowFirstFrame(int, char*[])
   }
   TestOneFrame({ rtwTechnique::RTW, "rtw" }, rtwChain::Classic, false);
   TestOneFrame({ rtwTechnique::RTW, "rtw" }, rtwChain::Steps, true);
+  TestGlyphs(rtwChain::Steps);
+  TestGlyphs(rtwChain::Classic);
   return rtwTestResult();
 }

@@ -6,7 +6,10 @@
 #include "rtwRectilinearWarp.h"
 
 #include "vtkImageData.h"
+#include "vtkMatrix4x4.h"
 #include "vtkRTWShadowMapPass.h"
+
+#include <glm/glm.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -143,11 +146,56 @@ void TestEdges()
       pass->GetMaximumEffectiveResolution(0, axis) / (size * twin.GreatestSlope()), 1, 1e-3);
   }
 }
+
+// The side of a focus, on the light plane.
+double FocusExtent(vtkAdaptiveShadowMapPass* pass, int light, int axis, const glm::dvec3& direction)
+{
+  vtkNew<vtkMatrix4x4> matrix;
+  RTW_CHECK(pass->GetLightPlaneMatrix(light, 0, matrix));
+  const glm::dvec3 row(
+    matrix->GetElement(axis, 0), matrix->GetElement(axis, 1), matrix->GetElement(axis, 2));
+  return 1 / glm::length(row - glm::dot(row, direction) * direction);
+}
+
+// The conventional map over all that a light shines on whose texels are as small as those of the
+// largest cell of this one (Rosen 2012, section 6), of focus and warp together.
+void TestEffectiveResolution()
+{
+  rtwShadowStage stage;
+  stage.AddObjects();
+  stage.AddSun(0, 10, 0);
+  stage.AddSpot(0, 8, 0, 40);
+  stage.Pass->SetResolution(512);
+  stage.Render();
+  // As long as the floor, and a ten-thousandth more; a spot's is that of its cone.
+  const double sides[2] = { 12 * 1.0001, 2 * std::tan(glm::radians(40.0)) };
+  for (int light = 0; light < 2; ++light)
+  {
+    const vtkSmartPointer<vtkImageData> table = stage.Pass->GetWarpImage(light);
+    const glm::dvec3 down(0, -1, 0);
+    const rtw::Rectangle focus{ glm::dvec2(0),
+      { FocusExtent(stage.Pass, light, 0, down), FocusExtent(stage.Pass, light, 1, down) } };
+    const rtw::RectilinearWarp twin{ focus, TwinOf(table, 0), TwinOf(table, 1) };
+    const glm::dvec2 expected =
+      twin.MaximumEffectiveResolution(512, { glm::dvec2(0), glm::dvec2(sides[light]) });
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      const double actual = stage.Pass->GetMaximumEffectiveResolution(light, axis);
+      std::cout << "effective resolution of light " << light << ", axis " << axis << ": " << actual
+                << ", the twin says " << expected[axis] << std::endl;
+      RTW_CHECK_NEAR(actual / expected[axis], 1, 1e-3);
+      RTW_CHECK(actual > 600);
+    }
+  }
+  RTW_CHECK_EQUAL(stage.Pass->GetMaximumEffectiveResolution(0, 2), 0);
+  RTW_CHECK_EQUAL(stage.Pass->GetMaximumEffectiveResolution(2, 0), 0);
+}
 }
 
 int TestShadowWarpTable(int, char*[])
 {
   TestTables();
   TestEdges();
+  TestEffectiveResolution();
   return rtwTestResult();
 }

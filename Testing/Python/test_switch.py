@@ -139,6 +139,53 @@ class TestSwitch(unittest.TestCase):
         shadows.SetFilterToNearest()
         self.assertGreater(soft, len(set(map(tuple, plotter.picture()))) + 20)
 
+    def test_debug_view(self):
+        plotter = Plotter()
+        shadows = rtwshadows.enable_shadows(plotter)
+        self.assertEqual(shadows.GetDebugView(), shadows.NONE)
+        lit = plotter.picture()
+        pictures = []
+        for word in ("shadow", "aliasing_error", "importance", "warp_grid", "layers"):
+            shadows = rtwshadows.enable_shadows(plotter, debug_view=word, debug_light=0)
+            self.assertEqual(shadows.GetDebugView(), getattr(shadows, word.upper()))
+            pictures.append(plotter.picture())
+            for other in [lit] + pictures[:-1]:
+                self.assertGreater((abs(pictures[-1] - other).max(axis=1) > 10).mean(), 0.02, word)
+        shadows.SetDebugViewToNone()
+        self.assertTrue((plotter.picture() == lit).all())
+        with self.assertRaisesRegex(ValueError, "debug_view='maps'.*aliasing"):
+            rtwshadows.enable_shadows(plotter, debug_view="maps")
+
+    def test_images(self):
+        plotter = Plotter()
+        shadows = rtwshadows.enable_shadows(plotter, resolution=256, importance_resolution=64)
+        self.assertIsNone(shadows.GetAliasingErrorImage(0))
+        self.assertIsNone(shadows.GetImportanceImage(0))
+        plotter.picture()
+        image = shadows.GetAliasingErrorImage(0)
+        self.assertEqual(image.GetDimensions(), (160, 120, 1))
+        along = vtk_to_numpy(image.GetPointData().GetScalars())
+        self.assertEqual(along.shape, (160 * 120, 2))
+        facing = along.max(axis=1) > 0
+        self.assertTrue(0.2 < facing.mean() < 0.95)
+        coarse = along[facing].max(axis=1).mean()
+        shadows.SetResolution(512)
+        plotter.picture()
+        fine = vtk_to_numpy(shadows.GetAliasingErrorImage(0).GetPointData().GetScalars())
+        self.assertAlmostEqual(coarse / fine[facing].max(axis=1).mean(), 2, 2)
+        image = shadows.GetImportanceImage(0)
+        self.assertEqual(image.GetDimensions(), (64, 2, 1))
+        cells = vtk_to_numpy(image.GetPointData().GetScalars()).reshape(2, 64, 2)
+        warp = vtk_to_numpy(shadows.GetWarpImage(0).GetPointData().GetScalars()).reshape(2, 65)
+        for axis in range(2):
+            collected, used = cells[axis].T
+            self.assertTrue((collected >= 0).all() and (used > 0).all())
+            share = used / used.sum() - (warp[axis, 1:] - warp[axis, :-1])
+            self.assertLess(abs(share).max(), 1e-5)
+        self.assertIsNone(shadows.GetImportanceImage(1))
+        self.assertIsNone(shadows.GetImportanceImage(0, 1))
+        self.assertIsNone(shadows.GetAliasingErrorImage(-1))
+
     def test_importance(self):
         plotter = Plotter()
         without = plotter.picture()

@@ -7,6 +7,7 @@
 #include "rtwOpenGL.h"
 #include "rtwPrimeDepthFS.h"
 #include "rtwResampleFS.h"
+#include "rtwSampleDepth.h"
 #include "rtwScreenVS.h"
 #include "rtwStateGuard.h"
 #include "rtwViewSampleAccess.h"
@@ -23,7 +24,7 @@ bool ViewSampler::Build()
     this->Drawing.Build({ { GL_VERTEX_SHADER, { rtwViewSampleVS } },
       { GL_FRAGMENT_SHADER, { rtwViewSampleFS } } }) &&
     this->Priming.Build({ { GL_VERTEX_SHADER, { rtwScreenVS } },
-      { GL_FRAGMENT_SHADER, { rtwViewSampleAccess, rtwPrimeDepthFS } } }) &&
+      { GL_FRAGMENT_SHADER, { rtwViewSampleAccess, rtwSampleDepth, rtwPrimeDepthFS } } }) &&
     this->Resampling.Build({ { GL_VERTEX_SHADER, { rtwScreenVS } },
       { GL_FRAGMENT_SHADER, { rtwResampleFS } } });
 }
@@ -148,14 +149,19 @@ glm::dvec3 ViewSampler::RayStep(const View& view)
 
 void ViewSampler::PrimeDepth(double farther)
 {
-  constexpr float share = 1e-3f;
-  const glm::dvec2 back = DepthToSample(this->Viewed);
   this->Priming.Use();
   this->Bind(this->Priming);
-  glUniform2i(this->Priming.Location("rtwOrigin"), this->Viewed.OriginX, this->Viewed.OriginY);
-  this->Priming.Set("rtwSampleToDepth", float(1 / back.x), float(-back.y / back.x));
-  this->Priming.Set("rtwFarther", share, float(farther));
+  this->BindDepth(this->Priming, farther);
   this->Triangle.DrawDepth();
+}
+
+void ViewSampler::BindDepth(const Program& program, double farther) const
+{
+  constexpr float share = 1e-3f;
+  const glm::dvec2 back = DepthToSample(this->Viewed);
+  glUniform2i(program.Location("rtwOrigin"), this->Viewed.OriginX, this->Viewed.OriginY);
+  program.Set("rtwSampleToDepth", float(1 / back.x), float(-back.y / back.x));
+  program.Set("rtwFarther", farther < 0 ? -share : share, float(farther));
 }
 
 void ViewSampler::Bind(const Program& program) const

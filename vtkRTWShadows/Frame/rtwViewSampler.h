@@ -34,6 +34,9 @@ public:
   void PrimeDepth(double farther);
   /// Gives a program the samples.
   void Bind(const Program& program) const;
+  /// And what rtwSampleDepth.glsl needs to make them depth, farther by that distance or, below 0,
+  /// nearer, and by a share of theirs.
+  void BindDepth(const Program& program, double farther) const;
   const View& GetView() const { return this->Viewed; }
   int GetWidth() const { return this->Current->GetWidth(); }
   int GetHeight() const { return this->Current->GetHeight(); }

@@ -93,13 +93,31 @@ void ScreenTriangle::DrawDepth()
   this->DrawArrays();
 }
 
-void ScreenTriangle::DrawArrays()
+void ScreenTriangle::DrawOver()
+{
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LEQUAL);
+  glDepthMask(GL_FALSE);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glBlendEquation(GL_FUNC_ADD);
+  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+  this->DrawArrays(true);
+}
+
+void ScreenTriangle::DrawArrays(bool blend)
 {
   if (!this->Id)
   {
     glGenVertexArrays(1, &this->Id);
   }
-  glDisable(GL_BLEND);
+  if (blend)
+  {
+    glEnable(GL_BLEND);
+  }
+  else
+  {
+    glDisable(GL_BLEND);
+  }
   glDisable(GL_CULL_FACE);
   glDisable(GL_STENCIL_TEST);
   glBindVertexArray(this->Id);

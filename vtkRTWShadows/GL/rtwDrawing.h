@@ -74,11 +74,13 @@ public:
   void Draw();
   /// Depth alone, where it is less.
   void DrawDepth();
+  /// Colour, by its alpha, where depth is less or equal; depth stays.
+  void DrawOver();
   void Release();
   void Abandon() { this->Id = 0; }
 
 private:
-  void DrawArrays();
+  void DrawArrays(bool blend = false);
 
   unsigned int Id = 0;
 };

@@ -1,10 +1,8 @@
 // Forward analysis (Rosen 2012, section 4.1): each texel of the light's depth image asks for the pixels that it covers. Near the camera
 // one may stand for a million times as much as far from it, so that sums need 64 bits from the start.
-const float UNIT = 256.0;
-
 void rtwAddLarge(uint at, float value)
 {
-  float scaled = min(value * UNIT, 1e15);
+  float scaled = min(value * FORWARD_UNIT, 1e15);
   float high = floor(scaled / 4294967296.0);
   rtwAddToProfile(at, uint(scaled - high * 4294967296.0), uint(high));
 }

@@ -14,7 +14,6 @@ const int SAMPLE_COUNT = 256;
 const float ALPHA = 0.001;         // of what lies at no shadow edge (section 5.3)
 const float GRAZING = 1e-3;        // least area of a footprint, of the square over its longer side
 const float LARGEST = 1048575.0;   // 4096 samples of a tile that all ask for so much don't overflow a sum
-const float COUNT_UNIT = 1024.0;   // sums are whole numbers
 
 layout(std430, binding = 0) buffer Profile
 {

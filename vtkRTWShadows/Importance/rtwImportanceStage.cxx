@@ -37,6 +37,9 @@ constexpr int Group = 16; // of rtwImportance.glsl
 constexpr int DepthUnit = 1;
 constexpr int GradientUnit = 2;
 constexpr int MaskUnit = 3;
+// Sums are whole numbers: of samples, and of what a light's image asks for.
+constexpr int CountUnit = 1024;
+constexpr int ForwardUnit = 256;
 
 // The distance from which on a window's near plane shows, for a scale that keeps numbers near 1.
 float NearestDistance(const View& view)
@@ -109,7 +112,9 @@ ImportanceStage::Shape ImportanceStage::ShapeOf(const ImportanceSettings& settin
 bool ImportanceStage::Compile(const Shape& shape, Program& program)
 {
   const std::string definitions = "const int PROFILES = " + std::to_string(shape.Profiles) +
-    ";\nconst int FUNCTIONS = " + std::to_string(shape.Functions) + ";\n";
+    ";\nconst int FUNCTIONS = " + std::to_string(shape.Functions) +
+    ";\nconst float COUNT_UNIT = " + std::to_string(CountUnit) +
+    ";\nconst float FORWARD_UNIT = " + std::to_string(ForwardUnit) + ";\n";
   const std::string body = BodyOf(shape.Code);
   const bool image = shape.Forward || shape.At == Edges::OfImage;
   const char* const edges = shape.At == Edges::None ? rtwEdgesNone
@@ -249,6 +254,12 @@ void ImportanceStage::Analyse(const std::vector<LightFrame>& frames,
   {
     texture->Unbind(unit);
   }
+}
+
+double ImportanceStage::GetUnit() const
+{
+  const double counted = this->Holds == Collected::Sum ? 1.0 / CountUnit : 1.0;
+  return this->InForce.Forward ? counted / ForwardUnit : counted;
 }
 
 void ImportanceStage::Collect(const AnalysisInput& input) const

@@ -81,6 +81,7 @@ public:
   const Buffer& GetProfile() const { return this->Profile; }
   int GetProfiles() const { return this->InForce.Profiles; } ///< 2: plain, and at shadow edges
   Collected GetCollected() const { return this->Holds; }
+  double GetUnit() const; ///< of sums
   void Release();
   void Abandon();
 

@@ -32,15 +32,18 @@ public:
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   vtkWeakPointer<vtkRenderer> Renderer; ///< that the last bake was for
   vtkSmartPointer<vtkShadowMapWarp> Warp; ///< that the pipeline uses; kept alive for its stage
-  vtkSmartPointer<vtkImageData> MaskImage, MapImage, WarpImage;
+  vtkSmartPointer<vtkImageData> MaskImage, MapImage, WarpImage, ImportanceImage, AliasingImage;
   vtkRenderPass* DefaultSequence = nullptr; ///< only compared with
   bool WasMasked = false;
+  bool AwaitsDebugView = false; ///< of what is drawn next, the first since the bake
   bool WarnedOfContext = false;
   bool WarnedOfPointLights = false;
   bool WarnedOfBrokenLights = false;
   bool WarnedOfResolution = false;
   bool WarnedOfUnits = false;
   bool WarnedOfFilterRadius = false;
+  bool WarnedOfDebugShader = false;
+  int WarnedOfDebugLight = -1; ///< which
 
   bool Has(int light) const
   {

@@ -7,6 +7,7 @@
 
 #include "vtkImageData.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace rtw
@@ -58,6 +59,28 @@ vtkSmartPointer<vtkImageData> ReadWarp(const WarpTable& table, int layer)
     }
     *values++ = from[2 * table.GetCells() - 1];
   }
+  return image;
+}
+
+vtkSmartPointer<vtkImageData> ReadAliasing(const Texture& error)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(error.GetWidth(), error.GetHeight(), 1);
+  image->AllocateScalars(VTK_FLOAT, 2);
+  error.ReadFloats(0, static_cast<float*>(image->GetScalarPointer()));
+  return image;
+}
+
+vtkSmartPointer<vtkImageData> MakeImportanceImage(const std::vector<float>& values)
+{
+  if (values.empty())
+  {
+    return nullptr;
+  }
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(static_cast<int>(values.size() / 4), 2, 1);
+  image->AllocateScalars(VTK_FLOAT, 2);
+  std::copy(values.begin(), values.end(), static_cast<float*>(image->GetScalarPointer()));
   return image;
 }
 }

@@ -5,6 +5,8 @@
 
 #include "vtkSmartPointer.h"
 
+#include <vector>
+
 class vtkImageData;
 
 namespace rtw
@@ -17,6 +19,10 @@ class WarpTable;
 vtkSmartPointer<vtkImageData> ReadMask(const Texture& mask, int layer);
 vtkSmartPointer<vtkImageData> ReadShadowMap(const DenseLayers& layers, int layer);
 vtkSmartPointer<vtkImageData> ReadWarp(const WarpTable& table, int layer);
+/// Two floats a pixel, as they are.
+vtkSmartPointer<vtkImageData> ReadAliasing(const Texture& error);
+/// Of two rows of two floats a cell; null for none.
+vtkSmartPointer<vtkImageData> MakeImportanceImage(const std::vector<float>& values);
 }
 
 #endif

@@ -212,6 +212,7 @@ void ShadowPipeline::Abandon()
   this->Casters.Abandon();
   this->Images.Abandon();
   this->Masking.Abandon();
+  this->Debugging.Abandon();
   this->Layers.Abandon();
   this->Table.Abandon();
   this->Timers.Abandon();
@@ -235,6 +236,7 @@ void ShadowPipeline::Release(vtkOpenGLRenderWindow* window)
   this->Casters.Release();
   this->Images.Release();
   this->Masking.Release();
+  this->Debugging.Release();
   this->Layers.Release();
   this->Table.Release();
   this->Timers.Release();

@@ -6,6 +6,7 @@
 
 #include "rtwCapabilities.h"
 #include "rtwCasterDrawing.h"
+#include "rtwDebugStage.h"
 #include "rtwDenseLayers.h"
 #include "rtwFocus.h"
 #include "rtwFrameScene.h"
@@ -105,6 +106,15 @@ public:
   /// The mask of the last frame; made now, where the picture didn't need it.
   const Texture& GetMask(
     const PipelineOptions& options, const std::function<void()>& mapperSamples);
+  /// A debug view of a light over the opaque receivers that are drawn in the target and viewport
+  /// that are bound. False, with the reason in GetDebugLog(), where the driver can't.
+  bool PaintDebugView(DebugView view, int light, const PipelineOptions& options,
+    const std::function<void()>& mapperSamples);
+  /// The aliasing error of each pixel of the last frame along s and t. False likewise.
+  bool MeasureAliasing(int light, Texture& error, const std::function<void()>& mapperSamples);
+  std::string GetDebugLog() const { return this->Debugging.GetLog() + this->Masking.GetLog(); }
+  /// Of each cell along s, then along t, as collected and as used; empty where there is none.
+  std::vector<float> ReadImportance(int layer) const;
   const Statistics& GetStatistics() const { return this->Counted; }
   CasterCounts ReadCasterCounts(int layer) const { return this->Casters.ReadCounts(layer); }
   /// Texels a side along s and t. Waits for the GPU.
@@ -123,6 +133,8 @@ private:
     const PipelineOptions& options, const MapperDrawing& mappers);
   void DrawViewSamples(StateGuard& guard, const std::function<void()>& mapperSamples);
   void DrawMask(const PipelineOptions& options);
+  void CompleteViewSamples(const std::function<void()>& mapperSamples);
+  DebuggedMap MapOf(int light) const;
   void FindFocus(const FrameScene& scene, const PipelineOptions& options);
   bool DrawLightImages(
     StateGuard& guard, const PipelineOptions& options, const MapperDrawing& mappers);
@@ -153,6 +165,7 @@ private:
   CasterDrawing Casters;
   LightImages Images;
   MaskStage Masking;
+  DebugStage Debugging;
   int OtherLayers = 0; ///< unwarped, behind the lights' own: of casters that mappers draw, whose
                        ///< edges can't be warped
   bool HasSamples = false; ///< of the last frame

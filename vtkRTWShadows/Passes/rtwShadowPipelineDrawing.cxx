@@ -164,7 +164,9 @@ void ShadowPipeline::Draw(const FrameScene& scene, const std::vector<ShadowLight
       this->HasUniformTable() ? TableAccess::Uniforms : TableAccess::Storage);
   }
   const Texture& mask = this->Masking.GetMask();
-  const Texture* const lastMask = this->HasMask && mask.GetLayers() == layers ? &mask : nullptr;
+  // One that somebody asked for later must not change what is drawn.
+  const bool hasLast = this->HasMask && options.Masked && mask.GetLayers() == layers;
+  const Texture* const lastMask = hasLast ? &mask : nullptr;
   this->HasSamples = this->HasMask = false;
   this->Resampled = this->NeedsViewSamples(options) && this->ResampleLastFrame(options);
   this->Settled = !this->Resampled || this->Last.GetSignature() == this->LastSignature;
@@ -222,16 +224,23 @@ void ShadowPipeline::DrawMask(const PipelineOptions& options)
   }
 }
 
+// For those who look where the frame itself had no need to.
+void ShadowPipeline::CompleteViewSamples(const std::function<void()>& mapperSamples)
+{
+  if (!this->HasSamples)
+  {
+    StateGuard guard(this->Window);
+    this->DrawViewSamples(guard, mapperSamples);
+  }
+}
+
 const Texture& ShadowPipeline::GetMask(
   const PipelineOptions& options, const std::function<void()>& mapperSamples)
 {
   if (!this->HasMask && !this->Frames.empty())
   {
+    this->CompleteViewSamples(mapperSamples);
     StateGuard guard(this->Window);
-    if (!this->HasSamples)
-    {
-      this->DrawViewSamples(guard, mapperSamples);
-    }
     this->DrawMask(options);
   }
   return this->Masking.GetMask();

@@ -10,6 +10,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderer.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
@@ -118,7 +119,13 @@ void vtkAdaptiveShadowMapPass::Bake(const vtkRenderState* s)
   }
   my.Window = window;
   my.Renderer = renderer;
+  my.AwaitsDebugView = this->DebugView != NONE;
   renderer->UpdateLightsGeometryToFollowCamera();
+  // Mappers that draw view samples look at them, and a classic chain lights nothing before.
+  if (auto* lit = vtkOpenGLRenderer::SafeDownCast(renderer))
+  {
+    lit->UpdateLights();
+  }
   my.Lights = rtw::CollectLights(renderer);
   my.Scene = rtw::CollectScene(
     renderer, { CASTS_SHADOW(), RECEIVES_SHADOW() }, my.Pipeline.HasOwnDrawing());
@@ -212,28 +219,38 @@ void vtkAdaptiveShadowMapPass::RenderShadowed(const vtkRenderState* s, vtkRender
   }
   else
   {
-    const std::vector<vtkProp*> props(
-      s->GetPropArray(), s->GetPropArray() + s->GetPropArrayCount());
-    Internals::Attachment attachment(my, this, props, rtw::Phase::Picture, 0);
-    if (!attachment.IsComplete() && !my.WarnedOfUnits)
+    this->RenderLit(s, delegate);
+    if (my.AwaitsDebugView)
     {
-      my.WarnedOfUnits = true;
-      vtkWarningMacro("draws without shadows: no three texture units are free; use fewer textures at a time");
-    }
-    // Any other pass may leave props out, and then there would be holes.
-    const bool isOpaque =
-      delegate == my.DefaultSequence || !std::strcmp(delegate->GetClassName(), "vtkOpaquePass");
-    if (isOpaque)
-    {
-      my.Pipeline.PrimeDepth(my.Scene, my.Options);
-    }
-    delegate->Render(s);
-    if (isOpaque)
-    {
-      my.Pipeline.CaptureFrame(my.Options);
+      my.AwaitsDebugView = false;
+      this->PaintDebugView(s->GetRenderer());
     }
   }
   this->NumberOfRenderedProps += delegate->GetNumberOfRenderedProps();
+}
+
+void vtkAdaptiveShadowMapPass::RenderLit(const vtkRenderState* s, vtkRenderPass* delegate)
+{
+  Internals& my = *this->Shadows;
+  const std::vector<vtkProp*> props(s->GetPropArray(), s->GetPropArray() + s->GetPropArrayCount());
+  Internals::Attachment attachment(my, this, props, rtw::Phase::Picture, 0);
+  if (!attachment.IsComplete() && !my.WarnedOfUnits)
+  {
+    my.WarnedOfUnits = true;
+    vtkWarningMacro("draws without shadows: no three texture units are free; use fewer textures at a time");
+  }
+  // Any other pass may leave props out, and then there would be holes.
+  const bool isOpaque =
+    delegate == my.DefaultSequence || !std::strcmp(delegate->GetClassName(), "vtkOpaquePass");
+  if (isOpaque)
+  {
+    my.Pipeline.PrimeDepth(my.Scene, my.Options);
+  }
+  delegate->Render(s);
+  if (isOpaque)
+  {
+    my.Pipeline.CaptureFrame(my.Options);
+  }
 }
 
 bool vtkAdaptiveShadowMapPass::PreReplaceShaderValues(

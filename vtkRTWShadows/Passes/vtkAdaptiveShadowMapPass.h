@@ -18,9 +18,9 @@
 #ifndef vtkAdaptiveShadowMapPass_h
 #define vtkAdaptiveShadowMapPass_h
 
+#include "vtkInspectableShadowMapPass.h"
 #include "vtkNew.h"                // for the partition
 #include "vtkRTWShadowsModule.h"   // for the export macro
-#include "vtkShadowMapPass.h"
 #include "vtkSmartPointer.h"       // for the axes
 #include "vtkTimeStamp.h"          // for the shader stage
 
@@ -28,7 +28,6 @@
 #include <string> // for shader code
 
 class vtkAdaptiveShadowMapBakerPass;
-class vtkImageData;
 class vtkInformationIntegerKey;
 class vtkMatrix4x4;
 class vtkProp;
@@ -42,11 +41,11 @@ struct LightFrame;
 struct LookupOptions;
 }
 
-class VTKRTWSHADOWS_EXPORT vtkAdaptiveShadowMapPass : public vtkShadowMapPass
+class VTKRTWSHADOWS_EXPORT vtkAdaptiveShadowMapPass : public vtkInspectableShadowMapPass
 {
 public:
   static vtkAdaptiveShadowMapPass* New();
-  vtkTypeMacro(vtkAdaptiveShadowMapPass, vtkShadowMapPass);
+  vtkTypeMacro(vtkAdaptiveShadowMapPass, vtkInspectableShadowMapPass);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
@@ -321,6 +320,9 @@ public:
    */
   vtkImageData* GetWarpImage(int light, int layer = 0);
 
+  vtkImageData* GetImportanceImage(int light, int layer = 0) override;
+  vtkImageData* GetAliasingErrorImage(int light) override;
+
   /**
    * The matrix from world coordinates to a light's map as it is before the warp of GetWarpImage(): s and t from 0 to 1
    * over the layer's focus, and depth. False, and nothing is changed, before the first frame or for a light or layer that
@@ -385,6 +387,8 @@ private:
   rtw::LookupOptions MakeLookupOptions();
   void Bake(const vtkRenderState* s);
   void WarnOnce();
+  void RenderLit(const vtkRenderState* s, vtkRenderPass* delegate);
+  void PaintDebugView(vtkRenderer* renderer);
   void DrawCasters(vtkRenderer* renderer, int layer, const rtw::LightFrame& frame);
   void DrawViewSamples(vtkRenderer* renderer);
 

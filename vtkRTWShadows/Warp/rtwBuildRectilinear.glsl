@@ -21,11 +21,16 @@ layout(std430, binding = 3) buffer Bends
 {
   vec4 rtwBends[]; // least slope, greatest slope, greatest step
 };
+layout(std430, binding = 4) writeonly buffer Profiles
+{
+  float rtwImportance[]; // a layer, an axis, a cell: as collected, and as used
+};
 const int LARGEST = 0; // what the profile holds, as in rtwImportanceStage.h
 const int SUM = 1;
 const int SUM_UNDER_ROOT = 2;
 const float EDGE_FLOOR = 0.02; // of the plain demand, beside that at shadow edges
 uniform int rtwCollected;
+uniform float rtwUnit; // of sums
 uniform int rtwProfiles; // 2: plain, and at shadow edges
 uniform float rtwSigma; // in cells
 uniform float rtwFloor; // a share of the mean
@@ -92,7 +97,9 @@ void load(int cells)
   {
     float sum = weight.x * sumOf(0, i, cells) + (weight.y > 0.0 ? weight.y * sumOf(1, i, cells) : 0.0);
     float largest = uintBitsToFloat(rtwProfile[2 * (2 * layer + axis) * rtwProfiles * cells + 2 * i]);
+    sum *= rtwUnit;
     rtwSums[i] = rtwCollected == LARGEST ? largest : rtwCollected == SUM ? sum : sqrt(sum);
+    rtwImportance[2 * ((2 * layer + axis) * cells + i)] = rtwSums[i];
   }
   barrier();
 }
@@ -213,6 +220,7 @@ void main()
   for (int i = me; i < cells; i += GROUP)
   {
     rtwTable[rtwWarpPlace(4 * layer + axis, i)] = vec2(rtwSums[i], rtwSums[i + 1]);
+    rtwImportance[2 * ((2 * layer + axis) * cells + i) + 1] = rtwValues[i];
   }
   writeInverse(cells, 4 * layer + 2 + axis);
   writeSlopes(cells);

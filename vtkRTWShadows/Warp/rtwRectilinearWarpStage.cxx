@@ -5,6 +5,7 @@
 #include "rtwBuildRectilinear.h"
 #include "rtwDrawing.h"
 #include "rtwOpenGL.h"
+#include "rtwSlopeRectilinear.h"
 #include "rtwWarpFocus.h"
 #include "rtwWarpRectilinear.h"
 #include "rtwWarpTable.h"
@@ -22,7 +23,7 @@ RectilinearWarpStage::RectilinearWarpStage(
 
 WarpShape RectilinearWarpStage::GetShape() const
 {
-  return { "rectilinear", rtwWarpRectilinear, rtwBendRectilinear };
+  return { "rectilinear", rtwWarpRectilinear, rtwBendRectilinear, rtwSlopeRectilinear };
 }
 
 int RectilinearWarpStage::GetLightImageSize() const
@@ -48,13 +49,18 @@ void RectilinearWarpStage::Run(
   const RectilinearSettings settings = this->Settings();
   this->Importance.Analyse(frames, settings.Importance, input, table);
   this->Report.Reserve(frames.size() * 2 * 2 * sizeof(float));
+  this->Cells = table.GetCells();
+  this->Layers = static_cast<int>(frames.size());
+  this->Profiles.Reserve(frames.size() * 2 * 2 * this->Cells * sizeof(float));
   this->Building.Use();
   table.Bind(this->Building);
   this->Importance.GetProfile().BindStorage(0);
   this->Report.BindStorage(1);
   table.GetValues().BindStorage(2);
   table.GetBends().BindStorage(3);
+  this->Profiles.BindStorage(4);
   this->Building.Set("rtwCollected", static_cast<int>(this->Importance.GetCollected()));
+  this->Building.Set("rtwUnit", static_cast<float>(this->Importance.GetUnit()));
   this->Building.Set("rtwProfiles", this->Importance.GetProfiles());
   this->Building.Set("rtwSigma", static_cast<float>(settings.Sigma));
   this->Building.Set("rtwFloor", static_cast<float>(settings.Floor));
@@ -73,11 +79,25 @@ glm::dvec2 RectilinearWarpStage::ReadGreatestDensity(int layer) const
   return { report[0], report[2] };
 }
 
+std::vector<float> RectilinearWarpStage::ReadImportance(int layer) const
+{
+  std::vector<float> values;
+  if (layer >= 0 && layer < this->Layers)
+  {
+    values.resize(std::size_t(4) * this->Cells);
+    const std::size_t bytes = values.size() * sizeof(float);
+    this->Profiles.Read(layer * bytes, values.data(), bytes);
+  }
+  return values;
+}
+
 void RectilinearWarpStage::Release()
 {
   this->Importance.Release();
   this->Building.Release();
   this->Report.Release();
+  this->Profiles.Release();
+  this->Layers = 0;
 }
 
 void RectilinearWarpStage::Abandon()
@@ -85,5 +105,7 @@ void RectilinearWarpStage::Abandon()
   this->Importance.Abandon();
   this->Building.Abandon();
   this->Report.Abandon();
+  this->Profiles.Abandon();
+  this->Layers = 0;
 }
 }

@@ -36,6 +36,7 @@ public:
   void Run(const std::vector<LightFrame>& frames, const AnalysisInput& input,
     const WarpTable& table) override;
   glm::dvec2 ReadGreatestDensity(int layer) const override;
+  std::vector<float> ReadImportance(int layer) const override;
   void Release() override;
   void Abandon() override;
 
@@ -43,7 +44,9 @@ private:
   std::function<RectilinearSettings()> Settings;
   ImportanceStage Importance;
   Program Building;
-  Buffer Report;
+  Buffer Report, Profiles;
+  int Cells = 0; ///< of the profiles
+  int Layers = 0;
 };
 }
 

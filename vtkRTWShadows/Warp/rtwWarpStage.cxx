@@ -2,12 +2,13 @@
 #include "rtwWarpStage.h"
 
 #include "rtwBendIdentity.h"
+#include "rtwSlopeIdentity.h"
 #include "rtwWarpIdentity.h"
 
 namespace rtw
 {
 WarpShape IdentityWarpStage::GetShape() const
 {
-  return { "identity", rtwWarpIdentity, rtwBendIdentity };
+  return { "identity", rtwWarpIdentity, rtwBendIdentity, rtwSlopeIdentity };
 }
 }

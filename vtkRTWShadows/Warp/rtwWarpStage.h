@@ -23,6 +23,7 @@ struct WarpShape
   const char* Name;     ///< tells shader code for one warp from that for another
   const char* Function; ///< defines rtwWarp and rtwTexelCentres
   const char* Bend;     ///< defines rtwBend, rtwShift and rtwBendOfPieces
+  const char* Slope;    ///< defines rtwWarpSlope
 };
 
 class WarpStage
@@ -43,6 +44,9 @@ public:
   /// How many times the mean density of texels the densest cell of a layer has along s and t. Waits
   /// for the GPU.
   virtual glm::dvec2 ReadGreatestDensity(int layer) const = 0;
+  /// Of each cell along s, then along t: the importance as it was collected, and as it was used.
+  /// Empty for a layer that there isn't, and where the warp goes by none. Waits for the GPU.
+  virtual std::vector<float> ReadImportance(int) const { return {}; }
   virtual void Release() = 0;
   virtual void Abandon() = 0;
 };

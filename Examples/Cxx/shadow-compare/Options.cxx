@@ -82,6 +82,15 @@ void ReadInterest(const std::string& text, rtw::TechniqueSettings& settings)
   settings.Interest = { n[0], n[1], n[2], n[3] };
 }
 
+void ReadDebugViews(const std::string& text, Options& options)
+{
+  options.DebugViews = rtw::Split(text, ',');
+  for (const std::string& name : options.DebugViews)
+  {
+    ToDebugPicture(name);
+  }
+}
+
 std::vector<rtw::CommandLineOption> Entries(Options& options)
 {
   using namespace rtw;
@@ -177,11 +186,24 @@ std::vector<rtw::CommandLineOption> Entries(Options& options)
       [&](const std::string&) { settings.Stages = true; } },
     { "--out", "DIR", "write pictures, masks and differences there",
       [&](const std::string& value) { options.OutputFolder = value; } },
+    { "--debug-view", "V,...",
+      "write to --out what maps look like inside: shadow, aliasing, importance,\n"
+      "grid, layers",
+      [&](const std::string& value) { ReadDebugViews(value, options); } },
     { "--json", "FILE", "write the numbers there",
       [&](const std::string& value) { options.JsonFile = value; } },
     { "--help", "", "print this", [&](const std::string&) { options.Help = true; } },
   };
 }
+}
+
+rtw::DebugPicture ToDebugPicture(const std::string& name)
+{
+  using rtw::DebugPicture;
+  return rtw::Choose<DebugPicture>("--debug-view", name,
+    { { "shadow", DebugPicture::SHADOW }, { "aliasing", DebugPicture::ALIASING_ERROR },
+      { "importance", DebugPicture::IMPORTANCE }, { "grid", DebugPicture::WARP_GRID },
+      { "layers", DebugPicture::LAYERS } });
 }
 
 Options ParseOptions(int argc, char* argv[])

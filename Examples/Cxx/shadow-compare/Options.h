@@ -31,6 +31,7 @@ struct Options
   int Pieces = 1;
   std::string JsonFile;
   std::string OutputFolder;
+  std::vector<std::string> DebugViews; // as the command line has them
   rtw::TechniqueSettings Settings; // but for the resolution
   bool Help = false;
 };
@@ -39,5 +40,8 @@ struct Options
 Options ParseOptions(int argc, char* argv[]);
 
 std::string HelpText();
+
+/// Of one of DebugViews.
+rtw::DebugPicture ToDebugPicture(const std::string& name);
 
 #endif

@@ -3,7 +3,7 @@
 file(REMOVE_RECURSE "${FOLDER}")
 execute_process(
   COMMAND "${PROGRAM}" robot --resolution 128 --size 160x120 --frames 1
-    --pieces 3 --out "${FOLDER}/pictures" --json "${FOLDER}/pictures/numbers.json"
+    --pieces 3 --out "${FOLDER}/pictures" --debug-view shadow,aliasing,importance,grid,layers --json "${FOLDER}/pictures/numbers.json"
   RESULT_VARIABLE code OUTPUT_VARIABLE table ERROR_VARIABLE error)
 if (NOT code STREQUAL "0" OR NOT error STREQUAL "")
   message(FATAL_ERROR "exit code ${code}, stderr: ${error}")
@@ -11,11 +11,25 @@ endif ()
 if (NOT table MATCHES "robot: 14772 triangles, 160 x 120 pixels" OR NOT table MATCHES "\nvtk +128 ")
   message(FATAL_ERROR "an unexpected table:\n${table}")
 endif ()
-foreach (name IN ITEMS none truth vtk-128 vtk-128-mask vtk-128-difference uniform-128 rtw-128)
+foreach (name IN ITEMS none truth vtk-128 vtk-128-mask vtk-128-difference uniform-128 rtw-128
+    uniform-128-shadow uniform-128-aliasing uniform-128-importance uniform-128-grid uniform-128-layers
+    rtw-128-aliasing)
   if (NOT EXISTS "${FOLDER}/pictures/robot-${name}.png")
     message(FATAL_ERROR "there is no picture robot-${name}.png")
   endif ()
 endforeach ()
+# A file of the same bytes would be of a view that is none.
+file(GLOB pictures "${FOLDER}/pictures/robot-rtw-128*.png")
+set(sums)
+foreach (picture IN LISTS pictures)
+  file(MD5 "${picture}" sum)
+  list(APPEND sums "${sum}")
+endforeach ()
+list(REMOVE_DUPLICATES sums)
+list(LENGTH sums count)
+if (NOT count EQUAL 8 OR EXISTS "${FOLDER}/pictures/robot-vtk-128-grid.png")
+  message(FATAL_ERROR "the pictures are ${pictures}")
+endif ()
 file(READ "${FOLDER}/pictures/numbers.json" json)
 foreach (name IN ITEMS width height triangles lit_facing_pixels)
   if (NOT json MATCHES "\"${name}\" : [1-9]")

@@ -80,6 +80,8 @@ expect_refusal("--interest 1,2,3" robot --interest 1,2,3)
 expect_refusal("--interest 1,2,3,0" robot --interest 1,2,3,0)
 expect_refusal("--stages" robot --stages=yes)
 expect_refusal("--out" robot --out "${FOLDER}/empty.obj/pictures")
+expect_refusal("--debug-view maps" robot --out "${FOLDER}/pictures" --debug-view shadow,maps)
+expect_refusal("--debug-view: --out DIR is missing" robot --debug-view grid)
 expect_refusal("--json" robot --json "${FOLDER}/no/such/folder/numbers.json")
 
 if (failures GREATER 0)

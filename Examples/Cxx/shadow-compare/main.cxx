@@ -65,6 +65,10 @@ void CheckOutputs(const Options& options)
   {
     throw rtw::UsageError("--out " + options.OutputFolder + ": the folder cannot be made");
   }
+  if (options.OutputFolder.empty() && !options.DebugViews.empty())
+  {
+    throw rtw::UsageError("--debug-view: --out DIR is missing, where the pictures go");
+  }
   if (!options.JsonFile.empty() && !std::ofstream(options.JsonFile, std::ios::app))
   {
     throw rtw::UsageError("--json " + options.JsonFile + ": the file cannot be written");
@@ -87,6 +91,23 @@ std::string PicturePath(const Options& options, const rtw::Scene& scene, const s
   return options.OutputFolder + "/" + scene.Name + "-" + what + ".png";
 }
 
+// What the technique's maps look like inside, where it can show that.
+void WriteDebugViews(
+  View& view, const Options& options, const rtw::Scene& scene, const std::string& name)
+{
+  rtw::Technique& technique = *view.Window.GetTechnique();
+  for (const std::string& what : options.DebugViews)
+  {
+    if (technique.SetDebugPicture(ToDebugPicture(what)))
+    {
+      view.Window.Render();
+      rtw::WritePng(
+        rtw::Grab(view.Window.GetWindow()), PicturePath(options, scene, name + "-" + what));
+    }
+  }
+  technique.SetDebugPicture(rtw::DebugPicture::NONE);
+}
+
 // The picture must be taken before the mask, which may change the props.
 Result Examine(View& view, const Options& options, const rtw::Scene& scene, const rtw::Truth& truth)
 {
@@ -106,6 +127,7 @@ Result Examine(View& view, const Options& options, const rtw::Scene& scene, cons
     rtw::WritePng(
       rtw::MaskImage(mask, truth.Width, truth.Height), PicturePath(options, scene, name + "-mask"));
     rtw::WritePng(rtw::DifferenceImage(mask, truth), PicturePath(options, scene, name + "-difference"));
+    WriteDebugViews(view, options, scene, name);
   }
   return result;
 }

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a light's map looks like from the view: debug views, and the aliasing error as numbers.
+#ifndef rtwDebugStage_h
+#define rtwDebugStage_h
+
+#include "rtwDrawing.h"
+#include "rtwFramebuffer.h"
+#include "rtwProgram.h"
+#include "rtwWarpStage.h"
+
+#include <string>
+
+namespace rtw
+{
+class Texture;
+class ViewSampler;
+class WarpTable;
+
+/// As vtkInspectableShadowMapPass::DebugViews.
+enum class DebugView
+{
+  None,
+  Shadow,
+  AliasingError,
+  Importance,
+  WarpGrid,
+  Layers
+};
+
+/// The map that is looked at, and from where.
+struct DebuggedMap
+{
+  const LightFrame& Frame;
+  int Light;       ///< its number, which is that of its layer
+  int OtherLayers; ///< how far behind it the layer of its other casters lies; 0 for none
+  const ViewSampler& Samples;
+  const WarpTable& Table;
+};
+
+class DebugStage
+{
+public:
+  /// Compiles for that warp, unless that is done; false, with the reason in GetLog(), where the
+  /// driver can't.
+  bool Build(const WarpShape& warp);
+  std::string GetLog() const { return this->Painting.GetLog() + this->Measuring.GetLog(); }
+  /// Over what is drawn of the view samples in the target and viewport that are bound. Only SHADOW
+  /// looks at the mask. `rounding` is a distance that errors of depth don't exceed.
+  void Paint(DebugView view, const DebuggedMap& map, const Texture& mask, double rounding);
+  /// The aliasing error along s and t into a texture of two floats; false where that can't be drawn
+  /// into.
+  bool Measure(const DebuggedMap& map, Texture& error);
+  void Release();
+  void Abandon();
+
+private:
+  void Use(const Program& program, const DebuggedMap& map) const;
+
+  const char* Warp = nullptr; ///< that is compiled
+  Program Painting, Measuring;
+  Framebuffer Target;
+  ScreenTriangle Triangle;
+};
+}
+
+#endif

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What somebody wants to know of a frame that the picture doesn't need.
+#include "rtwShadowPipeline.h"
+
+#include "rtwStateGuard.h"
+
+#include "vtkOpenGLRenderWindow.h"
+
+namespace rtw
+{
+DebuggedMap ShadowPipeline::MapOf(int light) const
+{
+  return { this->Frames[light], light, this->OtherLayers, this->Sampler, this->Table };
+}
+
+bool ShadowPipeline::PaintDebugView(DebugView view, int light, const PipelineOptions& options,
+  const std::function<void()>& mapperSamples)
+{
+  this->CompleteViewSamples(mapperSamples);
+  if (view == DebugView::Shadow)
+  {
+    this->GetMask(options, mapperSamples);
+  }
+  StateGuard guard(this->Window);
+  if ((view == DebugView::Shadow && !this->HasMask) || !this->Debugging.Build(this->GetShape()))
+  {
+    return false;
+  }
+  this->Debugging.Paint(view, this->MapOf(light), this->Masking.GetMask(), 2e-6 * this->SceneSize);
+  return true;
+}
+
+bool ShadowPipeline::MeasureAliasing(
+  int light, Texture& error, const std::function<void()>& mapperSamples)
+{
+  this->CompleteViewSamples(mapperSamples);
+  StateGuard guard(this->Window);
+  return this->Debugging.Build(this->GetShape()) &&
+    this->Debugging.Measure(this->MapOf(light), error);
+}
+
+std::vector<float> ShadowPipeline::ReadImportance(int layer) const
+{
+  return this->OwnDrawing ? this->Warp->ReadImportance(layer) : std::vector<float>();
+}
+}

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How one looks inside a vtkAdaptiveShadowMapPass.
+#include "vtkAdaptiveShadowMapPass.h"
+
+#include "rtwAdaptiveShadowMapInternals.h"
+
+#include <algorithm>
+
+void vtkAdaptiveShadowMapPass::PaintDebugView(vtkRenderer* renderer)
+{
+  Internals& my = *this->Shadows;
+  const int last = this->GetNumberOfShadowLights() - 1;
+  if (this->DebugLight > last && my.WarnedOfDebugLight != this->DebugLight)
+  {
+    my.WarnedOfDebugLight = this->DebugLight;
+    vtkWarningMacro("DebugLight " << this->DebugLight
+                                  << " is more than the last light with shadows; viewing " << last);
+  }
+  const bool painted = my.Pipeline.PaintDebugView(static_cast<rtw::DebugView>(this->DebugView),
+    std::min(this->DebugLight, last), my.Options,
+    [this, renderer] { this->DrawViewSamples(renderer); });
+  if (!painted && !my.WarnedOfDebugShader)
+  {
+    my.WarnedOfDebugShader = true;
+    vtkWarningMacro(
+      "draws no DebugView, because the driver refused a shader: " << my.Pipeline.GetDebugLog());
+  }
+}
+
+vtkImageData* vtkAdaptiveShadowMapPass::GetImportanceImage(int light, int layer)
+{
+  Internals& my = *this->Shadows;
+  my.ImportanceImage = my.Has(light) && layer == 0 && my.MakeCurrent()
+    ? rtw::MakeImportanceImage(my.Pipeline.ReadImportance(light))
+    : nullptr;
+  return my.ImportanceImage;
+}
+
+vtkImageData* vtkAdaptiveShadowMapPass::GetAliasingErrorImage(int light)
+{
+  Internals& my = *this->Shadows;
+  my.AliasingImage = nullptr;
+  if (my.Has(light) && my.Renderer && my.MakeCurrent())
+  {
+    vtkRenderer* renderer = my.Renderer;
+    rtw::Texture error;
+    if (my.Pipeline.MeasureAliasing(
+          light, error, [this, renderer] { this->DrawViewSamples(renderer); }))
+    {
+      my.AliasingImage = rtw::ReadAliasing(error);
+    }
+    error.Release();
+  }
+  return my.AliasingImage;
+}

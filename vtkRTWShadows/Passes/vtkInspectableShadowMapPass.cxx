@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkInspectableShadowMapPass.h"
+
+vtkInspectableShadowMapPass::vtkInspectableShadowMapPass() = default;
+vtkInspectableShadowMapPass::~vtkInspectableShadowMapPass() = default;
+
+void vtkInspectableShadowMapPass::SetDebugView(int view)
+{
+  if (view < NONE || view > LAYERS)
+  {
+    vtkErrorMacro("SetDebugView("
+      << view
+      << "): expected NONE (0), SHADOW (1), ALIASING_ERROR (2), IMPORTANCE (3), WARP_GRID (4) or "
+         "LAYERS (5); keeping "
+      << this->DebugView);
+    return;
+  }
+  if (this->DebugView != view)
+  {
+    this->DebugView = view;
+    this->Modified();
+  }
+}
+
+void vtkInspectableShadowMapPass::SetDebugLight(int light)
+{
+  if (light < 0)
+  {
+    vtkErrorMacro("SetDebugLight("
+      << light << "): expected a light's number among those with shadows, from 0 on; keeping "
+      << this->DebugLight);
+    return;
+  }
+  if (this->DebugLight != light)
+  {
+    this->DebugLight = light;
+    this->Modified();
+  }
+}
+
+void vtkInspectableShadowMapPass::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "DebugView: " << this->DebugView << "\n";
+  os << indent << "DebugLight: " << this->DebugLight << "\n";
+}
