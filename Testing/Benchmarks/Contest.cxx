@@ -18,34 +18,13 @@ namespace
 constexpr int ELSEWHERE = 7; // a place that is measured last if at all
 }
 
-std::vector<Contestant> MakeContestants(const Options& options)
-{
-  std::vector<Contestant> contestants = { { "none", "", false }, { YARDSTICK, "vtk", true },
-    { "vtk-kept", "vtk", false } };
-  for (const std::string& name : rtw::TechniqueNames())
-  {
-    const auto& asked = options.Techniques;
-    const bool isAsked =
-      asked.empty() || std::find(asked.begin(), asked.end(), name) != asked.end();
-    if (name != "vtk" && isAsked)
-    {
-      contestants.push_back({ name, name, false });
-    }
-  }
-  return contestants;
-}
-
-std::string LineName(const Setup& setup, const Contestant& contestant)
-{
-  return setup.Name() + "/technique:" + contestant.Label;
-}
-
 struct Contest::Place
 {
   Place(const Setup& setup, const std::shared_ptr<const rtw::Scene>& scene,
-    const Contestant& contestant, std::unique_ptr<rtw::Technique> technique)
-    : Label(contestant.Label)
+    const Contestant& contestant, std::unique_ptr<rtw::Technique> technique, Outcome& found)
+    : Found(found)
     , IsRebuilding(contestant.Rebuilding)
+    , LeadsIn(contestant.LeadsIn)
     , View(
         setup.Width, setup.Height,
         [&](vtkRenderer* renderer) { Populate(setup, *scene, renderer); }, std::move(technique))
@@ -54,15 +33,16 @@ struct Contest::Place
     this->View.SetRebuilding(contestant.Rebuilding);
   }
 
-  std::string Label;
+  Outcome& Found;
+  Lap* Last = nullptr; // that the last frame counted in, if it did
   bool IsRebuilding;
+  bool LeadsIn;
   rtw::TechniqueView View;
   Mover Way;
 };
 
-Contest::Contest(Setup setup, std::vector<Contestant> contestants, const Options& options)
+Contest::Contest(Setup setup, const Options& options)
   : On(std::move(setup))
-  , Who(std::move(contestants))
   , Settings(options)
 {
 }
@@ -73,12 +53,24 @@ std::unique_ptr<rtw::Technique> Contest::Make(const Contestant& contestant) cons
   {
     return nullptr;
   }
-  rtw::TechniqueSettings settings;
-  settings.Resolution = this->On.Resolution;
+  rtw::TechniqueSettings settings = contestant.Settings;
+  settings.Resolution = this->On.ResolutionOf(contestant);
   settings.Stages = true;
   const bool isFaulty = contestant.Technique == "rtw" && !this->Settings.Fault.empty();
   return isFaulty ? MakeFaulty(this->Settings.Fault, settings)
                   : rtw::MakeTechnique(contestant.Technique, settings);
+}
+
+// Those that are known after a frame are of the one before.
+void Contest::CollectStages(Place& own)
+{
+  if (own.Last)
+  {
+    for (const rtw::Stage& stage : own.View.GetStages())
+    {
+      own.Last->Stages[stage.Name].push_back(stage.Milliseconds);
+    }
+  }
 }
 
 // A frame of each; another begins each time. Laps below zero are to warm up. Returns the
@@ -92,19 +84,17 @@ double Contest::Round(std::vector<std::unique_ptr<Place>>& places, int place, in
     own->Way.MoveTo(place, std::max(lap, 0));
     const rtw::FrameTime time = own->View.Render();
     sum += time.Wall;
+    this->CollectStages(*own);
+    own->Last = nullptr;
     if (lap < 0)
     {
       continue;
     }
-    Lap& to = this->Outcomes[own->Label].Laps[std::size_t(lap)];
-    to.Wall.push_back(time.Wall);
-    to.Cpu.push_back(time.Cpu);
-    to.Gpu.push_back(time.Gpu);
-    to.Work.push_back(time.Work);
-    for (const rtw::Stage& stage : own->View.GetStages())
-    {
-      to.Stages[stage.Name].push_back(stage.Milliseconds);
-    }
+    own->Last = &own->Found.Laps[std::size_t(lap)];
+    own->Last->Wall.push_back(time.Wall);
+    own->Last->Cpu.push_back(time.Cpu);
+    own->Last->Gpu.push_back(time.Gpu);
+    own->Last->Work.push_back(time.Work);
     const rtw::Technique* technique = own->View.GetTechnique();
     if (technique && technique->GoesOnAfterMask())
     {
@@ -124,7 +114,7 @@ void Contest::Compare(Place& own, int place, int step)
     return;
   }
   rtw::Technique* technique = own.View.GetTechnique();
-  Outcome& outcome = this->Outcomes[own.Label];
+  Outcome& outcome = own.Found;
   outcome.Memory = std::max(outcome.Memory, technique->GetMemory());
   const rtw::TexelFunction texels =
     place == 0 && step == 0 ? technique->GetTexels() : rtw::TexelFunction();
@@ -163,31 +153,51 @@ void Contest::CompareLate(Place& own)
 int Contest::NumberOfPlaces(double round, double left) const
 {
   int places = this->On.LeastPlaces(this->Settings);
-  while (2 * places <= this->Settings.Frames && 2 * places * this->Settings.Laps * round < left)
+  const double lapsAtPlace = this->On.Laps(this->Settings) * round;
+  while (2 * places <= this->Settings.Frames && 2 * places * lapsAtPlace < left)
   {
     places *= 2;
   }
   return places;
 }
 
+// To where the next lap is a tiny step away.
+void Contest::LeadIn(std::vector<std::unique_ptr<Place>>& places, int place)
+{
+  for (const std::unique_ptr<Place>& own : places)
+  {
+    if (own->LeadsIn)
+    {
+      own->Way.MoveTo(place, this->On.Laps(this->Settings));
+      own->View.Render();
+      own->Last = nullptr;
+    }
+  }
+}
+
 void Contest::Measure(Budget& budget)
 {
   budget.StartTask();
+  const int laps = this->On.Laps(this->Settings);
   const auto scene = SceneOf(this->On);
   this->Triangles = std::size_t(1 + this->On.Outside) * rtw::NumberOfTriangles(*scene);
   TruthsOf(this->On, this->Settings); // before the time of frames is reckoned
   std::vector<std::unique_ptr<Place>> places;
-  for (const Contestant& contestant : this->Who)
+  this->Outcomes.resize(this->On.Who.size());
+  for (std::size_t i = 0; i < this->On.Who.size(); ++i)
   {
-    this->Outcomes[contestant.Label].Laps.resize(std::size_t(this->Settings.Laps));
-    places.push_back(std::make_unique<Place>(this->On, scene, contestant, this->Make(contestant)));
+    const Contestant& contestant = this->On.Who[i];
+    this->Outcomes[i].Laps.resize(std::size_t(laps));
+    places.push_back(std::make_unique<Place>(
+      this->On, scene, contestant, this->Make(contestant), this->Outcomes[i]));
   }
   this->Actors = places.front()->View.GetRenderer()->GetActors()->GetNumberOfItems();
   const double round = this->Round(places, ELSEWHERE, -1);
   const int number = this->NumberOfPlaces(round, budget.Left());
   for (int place = 0; place < number; ++place)
   {
-    for (int lap = 0; lap < this->Settings.Laps; ++lap)
+    this->LeadIn(places, place);
+    for (int lap = 0; lap < laps; ++lap)
     {
       this->Round(places, place, lap);
     }

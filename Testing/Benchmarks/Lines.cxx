@@ -20,17 +20,18 @@ double Total(const std::vector<double>& times)
   return std::accumulate(times.begin(), times.end(), 0.0);
 }
 
-void CountLap(const Contest& contest, const std::string& label, std::size_t lap,
+void CountLap(const Contest& contest, std::size_t contestant, std::size_t lap,
   benchmark::UserCounters& counters)
 {
-  const Lap& mine = contest.GetOutcome(label).Laps[lap];
+  const auto work = [&](std::size_t who) { return Total(contest.GetOutcome(who).Laps[lap].Work); };
+  const Lap& mine = contest.GetOutcome(contestant).Laps[lap];
   counters["frames"] = double(mine.Wall.size());
   counters["p95_ms"] = rtw::Quantile(mine.Wall, 0.95);
   counters["cpu_ms"] = rtw::Median(mine.Cpu);
   counters["gpu_ms"] = rtw::Median(mine.Gpu);
   counters["work_ms"] = rtw::Median(mine.Work);
-  counters["to_vtk"] = Total(mine.Work) / Total(contest.GetOutcome(YARDSTICK).Laps[lap].Work);
-  counters["to_none"] = Total(mine.Work) / Total(contest.GetOutcome("none").Laps[lap].Work);
+  counters["to_vtk"] = work(contestant) / work(YARDSTICK);
+  counters["to_none"] = work(contestant) / work(NO_SHADOWS);
   for (const auto& [stage, times] : mine.Stages)
   {
     counters["gpu_ms:" + stage] = rtw::Median(times);
@@ -66,10 +67,10 @@ void CountErrors(const Outcome& outcome, benchmark::UserCounters& counters)
   }
 }
 
-void CountSetup(const Contest& contest, benchmark::UserCounters& counters)
+void CountSetup(const Contest& contest, std::size_t contestant, benchmark::UserCounters& counters)
 {
   const Setup& setup = contest.GetSetup();
-  counters["resolution"] = setup.Resolution;
+  counters["resolution"] = setup.ResolutionOf(setup.Who[contestant]);
   counters["width"] = setup.Width;
   counters["height"] = setup.Height;
   counters["triangles"] = double(contest.GetTriangles());
@@ -80,20 +81,20 @@ void CountSetup(const Contest& contest, benchmark::UserCounters& counters)
 
 // The first line of a contest to be run measures all of them; the others tell what it found. Each
 // repetition is a lap, and its time the median of the lap's frames.
-void Tell(benchmark::State& state, Contest& contest, const std::string& label, Budget& budget,
+void Tell(benchmark::State& state, Contest& contest, std::size_t contestant, Budget& budget,
   std::size_t& lap)
 {
   if (!contest.IsMeasured())
   {
     contest.Measure(budget);
   }
-  const Outcome& outcome = contest.GetOutcome(label);
+  const Outcome& outcome = contest.GetOutcome(contestant);
   for (auto _ : state)
   {
     state.SetIterationTime(1e-3 * rtw::Median(outcome.Laps[lap].Wall));
   }
-  CountSetup(contest, state.counters);
-  CountLap(contest, label, lap, state.counters);
+  CountSetup(contest, contestant, state.counters);
+  CountLap(contest, contestant, lap, state.counters);
   if (outcome.Errors.LitFacing > 0)
   {
     CountErrors(outcome, state.counters);
@@ -101,61 +102,55 @@ void Tell(benchmark::State& state, Contest& contest, const std::string& label, B
   lap = (lap + 1) % outcome.Laps.size();
 }
 
-std::vector<Contestant> Matching(
-  const Setup& setup, const std::vector<Contestant>& all, const std::regex& filter)
+// The contestants of lines that are asked for. Without the yardsticks there are no ratios; but they
+// alone are nothing that was asked for if no name matches.
+std::vector<Contestant> Matching(const Setup& setup, const Options& options)
 {
-  std::vector<Contestant> matching;
-  for (const Contestant& contestant : all)
+  const std::regex filter(options.Filter);
+  const auto isAsked = [&](const Contestant& contestant) {
+    const auto& asked = options.Techniques;
+    const bool isYardstick = contestant.Technique.empty() || contestant.Technique == "vtk";
+    return std::regex_search(setup.LineName(contestant), filter) &&
+      (isYardstick || asked.empty() ||
+        std::find(asked.begin(), asked.end(), contestant.Technique) != asked.end());
+  };
+  if (std::none_of(setup.Who.begin(), setup.Who.end(), isAsked))
   {
-    if (std::regex_search(LineName(setup, contestant), filter))
-    {
-      matching.push_back(contestant);
-    }
+    return {};
   }
-  return matching;
-}
-
-// Without the two that the others are told in times of, there are no ratios.
-std::vector<Contestant> WithYardsticks(
-  const std::vector<Contestant>& matching, const std::vector<Contestant>& all)
-{
-  std::vector<Contestant> who(all.begin(), all.begin() + 2);
-  std::copy_if(
-    matching.begin(), matching.end(), std::back_inserter(who), [&](const Contestant& contestant) {
-      return contestant.Label != who[0].Label && contestant.Label != who[1].Label;
-    });
+  const auto first = setup.Who.begin(), rest = first + 2;
+  std::vector<Contestant> who(first, rest);
+  std::copy_if(rest, setup.Who.end(), std::back_inserter(who), isAsked);
   return who;
 }
 }
 
 std::vector<std::string> RegisterLines(const Options& options)
 {
-  const std::vector<Contestant> all = MakeContestants(options);
-  const std::regex filter(options.Filter);
   std::vector<std::shared_ptr<Contest>> contests;
-  for (const Setup& setup : MakeSetups(options))
+  for (Setup& setup : MakeSetups(options))
   {
-    const std::vector<Contestant> matching = Matching(setup, all, filter);
-    if (!matching.empty())
+    setup.Who = Matching(setup, options);
+    if (!setup.Who.empty())
     {
-      contests.push_back(std::make_shared<Contest>(setup, WithYardsticks(matching, all), options));
+      contests.push_back(std::make_shared<Contest>(std::move(setup), options));
     }
   }
   const auto budget = std::make_shared<Budget>(options.Minutes, int(contests.size()));
   std::vector<std::string> names;
   for (const std::shared_ptr<Contest>& contest : contests)
   {
-    for (const Contestant& contestant : contest->GetContestants())
+    const Setup& setup = contest->GetSetup();
+    for (std::size_t i = 0; i < setup.Who.size(); ++i)
     {
-      names.push_back(LineName(contest->GetSetup(), contestant));
+      names.push_back(setup.LineName(setup.Who[i]));
       const auto lap = std::make_shared<std::size_t>(0);
-      const std::string label = contestant.Label;
       benchmark::RegisterBenchmark(names.back().c_str(),
-        [contest, label, budget, lap](
-          benchmark::State& state) { Tell(state, *contest, label, *budget, *lap); })
+        [contest, i, budget, lap](
+          benchmark::State& state) { Tell(state, *contest, i, *budget, *lap); })
         ->UseManualTime()
         ->Iterations(1)
-        ->Repetitions(options.Laps)
+        ->Repetitions(setup.Laps(options))
         ->Unit(benchmark::kMillisecond);
     }
   }

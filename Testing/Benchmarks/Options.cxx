@@ -3,8 +3,8 @@
 
 #include "Faults.h"
 #include "Setup.h"
+#include "SetupScene.h"
 
-#include "rtwScene.h"
 #include "rtwTechnique.h"
 
 #include <regex>
@@ -31,32 +31,44 @@ std::vector<rtw::CommandLineOption> Entries(Options& options)
   return {
     { "--quick", "", "a small choice of all, in less than three minutes",
       [&](const std::string&) { options.Quick = true; } },
-    { "--family", "NAME,...", "of measurements, see below; default all",
+    { "--family", "NAME,...", "of measurements, see below; default those that need not be named",
       [&](const std::string& value) {
         options.Families = ReadNames("--family", value, FamilyNames());
       } },
-    { "--scene", "NAME,...", "of the family maps; default all",
-      [&](
-        const std::string& value) { options.Scenes = ReadNames("--scene", value, SceneNames()); } },
+    { "--scene", "NAME,...", "of maps and the families that run when named; default their own",
+      [&](const std::string& value) {
+        options.Scenes = ReadNames("--scene", value, SetupSceneNames());
+      } },
     { "--technique", "NAME,...", "besides VTK's own; default all",
       [&](const std::string& value) {
         options.Techniques = ReadNames("--technique", value, TechniqueNames());
       } },
-    { "--resolution", "N,...", "of the family maps, texels a side; default 256 to 4096",
+    { "--resolution", "N,...",
+      "of the same, but for claims, texels a side; default 256 to 4096 of maps,\n"
+      "2048 of paper, else 1024",
       [&](const std::string& value) {
         options.Resolutions = ReadWholes("--resolution", value, 16, 16384);
       } },
     { "--size", "WxH", "of the picture in pixels; default 512x512, quick 256x256",
       [&](const std::string& value) { options.Size = ReadSize("--size", value); } },
+    { "--triangles", "N",
+      "of a scene, about, where the family has no number; default the scene's own,\n"
+      "quick 20000",
+      [&](const std::string& value) {
+        options.Triangles = ReadWhole("--triangles", value, 1, 10000000);
+      } },
     { "--minutes", "M",
-      "to take in all, where what is least takes no longer; default 9, quick 2.4",
+      "to take in all, where what is least takes no longer; default 9, quick 2.4,\n"
+      "and 3, quick 0.8, for each family that runs when named",
       [&](const std::string& value) {
         options.Minutes = ReadNumber("--minutes", value, 0.01, 10000);
       } },
-    { "--frames", "N", "places along the path at most, where there is time; default 60",
+    { "--frames", "N",
+      "places along the path at most, those of --error-views among them; default 60",
       [&](const std::string& value) { options.Frames = ReadWhole("--frames", value, 1, 100000); } },
     { "--laps", "N",
-      "frames a tiny step apart at each place, which tell noise and flicker; default 3",
+      "frames a tiny step apart at each place, which tell noise and flicker; default 3;\n"
+      "2 at most of paper and functions",
       [&](const std::string& value) { options.Laps = ReadWhole("--laps", value, 1, 1000); } },
     { "--error-views", "N", "places on the path, whose pixels are compared; default 2",
       [&](const std::string& value) {
@@ -87,9 +99,13 @@ Options ParseOptions(int argc, char* argv[])
   {
     options.Size = options.Quick ? std::make_pair(256, 256) : std::make_pair(512, 512);
   }
+  if (options.Triangles == 0 && options.Quick)
+  {
+    options.Triangles = 20000;
+  }
   if (options.Minutes == 0)
   {
-    options.Minutes = options.Quick ? 2.4 : 9;
+    options.Minutes = DefaultMinutes(options.Families, options.Quick);
   }
   return options;
 }
@@ -103,10 +119,17 @@ std::string HelpText()
        "Measures shadow techniques, without a display: time, memory, and pixels whose shadow is\n"
        "not that of an exact ray. VTK's own pass is measured beside each of them, frame by frame\n"
        "in turn, with new maps for each frame (vtk) and as it does it by itself (vtk-kept).\n\n"
-    << rtw::OptionsHelp(Entries(options)) << "\nFamilies:\n";
-  for (const std::string& name : FamilyNames())
+    << rtw::OptionsHelp(Entries(options));
+  for (const bool byDefault : { true, false })
   {
-    text << rtw::HelpLine("  " + name, FamilyDescription(name));
+    text << (byDefault ? "\nFamilies:\n" : "\nFamilies that run only when --family names them:\n");
+    for (const std::string& name : FamilyNames())
+    {
+      if (IsByDefault(name) == byDefault)
+      {
+        text << rtw::HelpLine("  " + name, FamilyDescription(name));
+      }
+    }
   }
   text << "\nTechniques:\n";
   for (const std::string& name : rtw::TechniqueNames())

@@ -12,15 +12,16 @@
 struct Options
 {
   bool Quick = false;
-  std::vector<std::string> Families;   // all if empty
-  std::vector<std::string> Scenes;     // of the family "maps"; its own if empty
+  std::vector<std::string> Families;   // those by default if empty
+  std::vector<std::string> Scenes;     // of families that go over scenes; their own if empty
   std::vector<std::string> Techniques; // all if empty
-  std::vector<int> Resolutions;        // of the family "maps"; its own if empty
+  std::vector<int> Resolutions;        // of maps; the families' own if empty
   std::pair<int, int> Size{ 0, 0 };    // of the picture; 0 for 512 x 512, or 256 x 256 if quick
-  double Minutes = 0;                  // aimed at; 0 for 9, or 2.4 if quick
+  int Triangles = 0;                   // of scenes; 0 for their own, or 20 000 if quick
+  double Minutes = 0;                  // aimed at; 0 for what the families may take
   int Frames = 60;                     // of a lap, at places along the path, at most
   int Laps = 3;                        // the benchmark's repetitions, a tiny step apart
-  int ErrorViews = 2;                  // places on the path where pixels are compared
+  int ErrorViews = 2;                  // of those places, where pixels are compared
   std::string Filter;
   std::string OutputFile;
   std::string Fault; // none if empty

@@ -9,6 +9,14 @@
 namespace
 {
 const char TECHNIQUE[] = "/technique:";
+const char VARIANT[] = "/variant:";
+
+// "rtw/variant:linear" as "rtw linear".
+std::string Short(std::string technique)
+{
+  const std::size_t at = technique.find(VARIANT);
+  return at == std::string::npos ? technique : technique.replace(at, sizeof VARIANT - 1, " ");
+}
 
 std::string Cell(const char* format, double value)
 {
@@ -65,12 +73,13 @@ void TableReporter::ReportRuns(const std::vector<Run>& runs)
   {
     this->Setup = name.substr(0, at);
     out << "\n" << this->Setup << "\n";
-    out << "  technique            ms   95 %     cpu   to vtk  to none   wrong %     far %      MiB"
+    out << "  technique                            ms   95 %     cpu   to vtk  to none   wrong %   "
+           "  far %      MiB"
            "  frames\n";
   }
   char line[256];
-  std::snprintf(line, sizeof line, "  %-12s %10s %6s %7s %8s %8s %9s %9s %8s %7s\n",
-    name.substr(at + sizeof TECHNIQUE - 1).c_str(), MiddleTime(runs).c_str(),
+  std::snprintf(line, sizeof line, "  %-30s %8s %6s %7s %8s %8s %9s %9s %8s %7s\n",
+    Short(name.substr(at + sizeof TECHNIQUE - 1)).c_str(), MiddleTime(runs).c_str(),
     Middle(runs, "p95_ms", "%.1f").c_str(), Middle(runs, "cpu_ms", "%.1f").c_str(),
     Middle(runs, "to_vtk", "%.3f").c_str(), Middle(runs, "to_none", "%.3f").c_str(),
     Middle(runs, "wrong_percent", "%.4f").c_str(), Middle(runs, "far_percent", "%.4f").c_str(),

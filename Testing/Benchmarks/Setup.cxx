@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Setup.h"
+#include "Families.h"
 
 #include "rtwScene.h"
 
@@ -8,38 +8,23 @@
 
 namespace
 {
-using Setups = std::vector<Setup>;
-
 std::vector<int> Values(const Options& options, std::vector<int> all, std::vector<int> quick)
 {
-  return options.Quick ? std::move(quick) : std::move(all);
-}
-
-Setup Start(const char* family, const Options& options)
-{
-  Setup setup;
-  setup.Family = family;
-  setup.Width = options.Size.first;
-  setup.Height = options.Size.second;
-  setup.Triangles = options.Quick ? 20000 : 0;
-  return setup;
+  return Chosen<int>(options, {}, std::move(all), std::move(quick));
 }
 
 Setups Maps(const Options& options)
 {
-  const std::vector<std::string> few = { "sandbox", "town" };
-  const std::vector<std::string> scenes = !options.Scenes.empty() ? options.Scenes
-    : options.Quick                                               ? few
-                                                                  : rtw::SceneNames();
-  const std::vector<int> resolutions = !options.Resolutions.empty()
-    ? options.Resolutions
-    : Values(options, { 256, 512, 1024, 2048, 4096 }, { 256, 1024 });
+  const std::vector<std::string> scenes =
+    Chosen(options, options.Scenes, rtw::SceneNames(), { "sandbox", "town" });
+  const std::vector<int> resolutions =
+    Chosen(options, options.Resolutions, { 256, 512, 1024, 2048, 4096 }, { 256, 1024 });
   Setups setups;
   for (const std::string& scene : scenes)
   {
     for (const int resolution : resolutions)
     {
-      Setup setup = Start("maps", options);
+      Setup setup = StartSetup("maps", options);
       setup.Scene = scene;
       setup.Resolution = resolution;
       setup.Flickers = !options.Quick;
@@ -56,7 +41,7 @@ Setups Growth(const char* family, const char* scene, const Options& options,
   Setups setups;
   for (const int value : values)
   {
-    Setup setup = Start(family, options);
+    Setup setup = StartSetup(family, options);
     setup.Scene = scene;
     setup.Variable = std::string(family) + ":" + std::to_string(value);
     apply(value, setup);
@@ -72,7 +57,7 @@ Setups Moving(const Options& options)
   Setups setups;
   for (const auto& [name, motion] : motions)
   {
-    Setup setup = Start("moving", options);
+    Setup setup = StartSetup("moving", options);
     setup.Variable = std::string("moving:") + name;
     setup.Moves = motion;
     setup.Actors = 64;
@@ -128,11 +113,18 @@ Setups Triangles(const Options& options)
     });
 }
 
+enum class Runs
+{
+  BY_DEFAULT,
+  WHEN_NAMED
+};
+
 struct FamilyEntry
 {
   const char* Name;
   const char* Description;
   Setups (*Make)(const Options& options);
+  Runs When = Runs::BY_DEFAULT;
 };
 
 // From light to heavy, since time that one family leaves goes to those after it.
@@ -144,7 +136,28 @@ const FamilyEntry FAMILIES[] = {
   { "outside", "0 to 16 times as many casters behind the camera as in front", Outside },
   { "window", "256 x 256 to 3840 x 2160 pixels", Windows },
   { "triangles", "10 000 to 5 000 000 triangles", Triangles },
+  { "paper", "tables 1 to 3 of the paper on RTW: analyses, and tessellation", MakePaper,
+    Runs::WHEN_NAMED },
+  { "functions", "every analysis and importance function", MakeFunctions, Runs::WHEN_NAMED },
+  { "rasterizations", "ways to draw edges that a warp bends", MakeRasterizations,
+    Runs::WHEN_NAMED },
+  { "filters", "while the camera moves, and while nothing does", MakeFilters, Runs::WHEN_NAMED },
+  { "view-samples", "of a prepass, and of the previous frame", MakeViewSamples, Runs::WHEN_NAMED },
+  { "claims", "small maps of rtw beside large uniform ones: error, flicker, analysis", MakeClaims,
+    Runs::WHEN_NAMED },
 };
+
+const FamilyEntry& Find(const std::string& name)
+{
+  return *std::find_if(std::begin(FAMILIES), std::end(FAMILIES) - 1,
+    [&](const FamilyEntry& entry) { return name == entry.Name; });
+}
+
+bool IsAsked(const FamilyEntry& family, const std::vector<std::string>& asked)
+{
+  return asked.empty() ? family.When == Runs::BY_DEFAULT
+                       : std::find(asked.begin(), asked.end(), family.Name) != asked.end();
+}
 
 const char* NameOf(Motion motion)
 {
@@ -162,16 +175,38 @@ const char* NameOf(Motion motion)
 }
 }
 
-std::string Setup::Name() const
+Setup StartSetup(const char* family, const Options& options)
+{
+  Setup setup;
+  setup.Family = family;
+  setup.Width = options.Size.first;
+  setup.Height = options.Size.second;
+  setup.Triangles = std::size_t(options.Triangles);
+  return setup;
+}
+
+int Setup::ResolutionOf(const Contestant& contestant) const
+{
+  return contestant.Resolution.value_or(this->Resolution);
+}
+
+std::string Setup::LineName(const Contestant& contestant) const
 {
   return this->Family + "/scene:" + this->Scene +
     (this->Variable.empty() ? "" : "/" + this->Variable) +
-    "/map:" + std::to_string(this->Resolution);
+    "/map:" + std::to_string(this->ResolutionOf(contestant)) + "/" + contestant.Name();
+}
+
+int Setup::Laps(const Options& options) const
+{
+  return std::min(options.Laps, this->MostLaps);
 }
 
 int Setup::LeastPlaces(const Options& options) const
 {
-  return this->IsHeavy || this->Moves == Motion::NOTHING ? 1 : options.ErrorViews;
+  const bool isOne = this->IsHeavy || this->Moves == Motion::NOTHING;
+  const int places = isOne ? 1 : this->Places > 0 ? this->Places : options.ErrorViews;
+  return std::min(places, options.Frames);
 }
 
 std::string Setup::Content() const
@@ -196,11 +231,25 @@ std::vector<std::string> FamilyNames()
   return names;
 }
 
-std::string FamilyDescription(const std::string& name)
+std::string FamilyDescription(const std::string& family)
 {
-  const auto family = std::find_if(std::begin(FAMILIES), std::end(FAMILIES),
-    [&](const FamilyEntry& entry) { return name == entry.Name; });
-  return family == std::end(FAMILIES) ? "" : family->Description;
+  return Find(family).Description;
+}
+
+bool IsByDefault(const std::string& family)
+{
+  return Find(family).When == Runs::BY_DEFAULT;
+}
+
+double DefaultMinutes(const std::vector<std::string>& families, bool quick)
+{
+  const auto asked = [&](Runs when) {
+    return std::count_if(std::begin(FAMILIES), std::end(FAMILIES),
+      [&](const FamilyEntry& family) { return family.When == when && IsAsked(family, families); });
+  };
+  const double minutes =
+    (asked(Runs::BY_DEFAULT) > 0 ? 9 : 0) + 3 * double(asked(Runs::WHEN_NAMED));
+  return quick ? 2.4 / 9 * minutes : minutes;
 }
 
 std::vector<Setup> MakeSetups(const Options& options)
@@ -208,8 +257,7 @@ std::vector<Setup> MakeSetups(const Options& options)
   Setups all;
   for (const FamilyEntry& family : FAMILIES)
   {
-    const auto& asked = options.Families;
-    if (asked.empty() || std::find(asked.begin(), asked.end(), family.Name) != asked.end())
+    if (IsAsked(family, options.Families))
     {
       const Setups setups = family.Make(options);
       all.insert(all.end(), setups.begin(), setups.end());

@@ -2,6 +2,7 @@
 #ifndef Setup_h
 #define Setup_h
 
+#include "Contestant.h"
 #include "Options.h"
 
 #include <cstddef>
@@ -17,7 +18,7 @@ enum class Motion
   ACTOR
 };
 
-/// What all techniques are measured on, beside each other.
+/// What contestants are measured on, beside each other.
 struct Setup
 {
   std::string Family;
@@ -33,8 +34,13 @@ struct Setup
   Motion Moves = Motion::CAMERA;
   bool IsHeavy = false;  // so that one place on its way has to do
   bool Flickers = false; // whether it is told how much shadows flicker
+  int Places = 0;        // where pixels are compared; 0 for as many as the options say
+  int MostLaps = 1000;   // where frames are many or heavy
+  std::vector<Contestant> Who = AllTechniques();
 
-  std::string Name() const;
+  std::string LineName(const Contestant& contestant) const;
+  int ResolutionOf(const Contestant& contestant) const;
+  int Laps(const Options& options) const;
   /// Where its pixels are compared, and at least measured.
   int LeastPlaces(const Options& options) const;
   /// Setups with equal contents have the same exact shadows.
@@ -43,6 +49,10 @@ struct Setup
 
 std::vector<std::string> FamilyNames();
 std::string FamilyDescription(const std::string& family);
+/// Whether it is measured where no families are asked for.
+bool IsByDefault(const std::string& family);
+/// What measuring those families, or those by default, may take.
+double DefaultMinutes(const std::vector<std::string>& families, bool quick);
 
 /// All that the options ask for, the heaviest last.
 std::vector<Setup> MakeSetups(const Options& options);

@@ -20,8 +20,14 @@ namespace
 constexpr int ABREAST = 4;         // copies beside each other
 constexpr double TINY = 1.0 / 600; // of the way of lights and actors
 
+const char FLOOR[] = "floor"; // which is not finer with more triangles
+
 rtw::Scene Make(const Setup& setup)
 {
+  if (setup.Scene == FLOOR)
+  {
+    return rtw::MakeFloor();
+  }
   return setup.Triangles > 0 ? rtw::MakeSceneWithBudget(setup.Scene, setup.Triangles)
                              : rtw::MakeScene(setup.Scene);
 }
@@ -71,6 +77,13 @@ void AddLights(const rtw::Scene& scene, int lights, vtkRenderer* renderer)
     light->SetIntensity(1.0 / lights);
   }
 }
+}
+
+std::vector<std::string> SetupSceneNames()
+{
+  std::vector<std::string> names = rtw::SceneNames();
+  names.emplace_back(FLOOR);
+  return names;
 }
 
 std::shared_ptr<const rtw::Scene> SceneOf(const Setup& setup)

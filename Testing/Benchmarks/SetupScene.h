@@ -14,6 +14,9 @@
 #include <memory>
 #include <vector>
 
+/// What a setup's scene may be: any that rtw::MakeScene() knows, and rtw::MakeFloor().
+std::vector<std::string> SetupSceneNames();
+
 /// Makes the scene of a setup. The last one is kept, since the next setup often wants it again.
 std::shared_ptr<const rtw::Scene> SceneOf(const Setup& setup);
 

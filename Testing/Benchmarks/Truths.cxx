@@ -52,7 +52,7 @@ const rtw::Truth* Truths::Find(int place, int step) const
 std::shared_ptr<const Truths> TruthsOf(const Setup& setup, const Options& options)
 {
   const int views = setup.LeastPlaces(options);
-  const int steps = setup.Flickers ? options.Laps : 1;
+  const int steps = setup.Flickers ? setup.Laps(options) : 1;
   static std::shared_ptr<const Truths> last;
   static std::string lastKey;
   const std::string key =

@@ -5,6 +5,7 @@
 #include "rtwMapTexels.h"
 
 #include <vtkImageData.h>
+#include <vtkRectilinearShadowMapWarp.h>
 #include <vtkRenderer.h>
 #include <vtkRTWShadowMapPass.h>
 #include <vtkUniformShadowMapPass.h>
@@ -55,38 +56,6 @@ static_assert(
     static_cast<int>(DebugPicture::LAYERS) == vtkRTWShadowMapPass::LAYERS,
   "one order");
 
-void ConfigureImportance(vtkRTWShadowMapPass* pass, const TechniqueSettings& settings)
-{
-  int functions = 0;
-  for (const Importance importance : settings.ImportanceKinds)
-  {
-    functions |= ToBit(importance);
-  }
-  pass->SetImportance(functions > 0 ? functions : pass->GetImportance());
-  if (settings.AnalysisKind)
-  {
-    pass->SetAnalysis(static_cast<int>(*settings.AnalysisKind));
-  }
-  if (settings.EdgeThreshold)
-  {
-    pass->SetEdgeThreshold(*settings.EdgeThreshold);
-  }
-  if (settings.LightImage)
-  {
-    pass->SetLightImageResolution(*settings.LightImage);
-  }
-  if (settings.Interest)
-  {
-    pass->SetInterestToSphere();
-    pass->SetInterestCentre(settings.Interest->data());
-    pass->SetInterestRadius(settings.Interest->back());
-  }
-  if (settings.UserFunction)
-  {
-    pass->SetUserFunction(settings.UserFunction->c_str());
-  }
-}
-
 void ConfigureDrawing(vtkAdaptiveShadowMapPass* pass, const TechniqueSettings& settings)
 {
   if (settings.Rasterizing)
@@ -129,6 +98,41 @@ void Configure(vtkAdaptiveShadowMapPass* pass, const TechniqueSettings& settings
     pass->SetFocusOnView(*settings.Focus);
   }
 }
+}
+
+void ConfigureImportance(vtkRectilinearShadowMapWarp* warp, const TechniqueSettings& settings)
+{
+  int functions = 0;
+  for (const Importance importance : settings.ImportanceKinds)
+  {
+    functions |= ToBit(importance);
+  }
+  if (functions > 0)
+  {
+    warp->SetImportance(functions);
+  }
+  if (settings.AnalysisKind)
+  {
+    warp->SetAnalysis(static_cast<int>(*settings.AnalysisKind));
+  }
+  if (settings.EdgeThreshold)
+  {
+    warp->SetEdgeThreshold(*settings.EdgeThreshold);
+  }
+  if (settings.LightImage)
+  {
+    warp->SetLightImageResolution(*settings.LightImage);
+  }
+  if (settings.Interest)
+  {
+    warp->SetInterestToSphere();
+    warp->SetInterestCentre(settings.Interest->data());
+    warp->SetInterestRadius(settings.Interest->back());
+  }
+  if (settings.UserFunction)
+  {
+    warp->SetUserFunction(settings.UserFunction->c_str());
+  }
 }
 
 AdaptiveTechnique::AdaptiveTechnique(
@@ -191,7 +195,7 @@ std::unique_ptr<Technique> MakeUniformTechnique(const TechniqueSettings& setting
 std::unique_ptr<Technique> MakeRTWTechnique(const TechniqueSettings& settings)
 {
   vtkNew<vtkRTWShadowMapPass> pass;
-  ConfigureImportance(pass, settings);
+  ConfigureImportance(pass->GetRectilinearWarp(), settings);
   return std::make_unique<AdaptiveTechnique>(pass, settings);
 }
 }

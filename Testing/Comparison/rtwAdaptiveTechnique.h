@@ -9,6 +9,8 @@
 #include <vtkShadowRenderStepsPass.h>
 #include <vtkSmartPointer.h>
 
+class vtkRectilinearShadowMapWarp;
+
 namespace rtw
 {
 /// One of this module's passes, around a whole frame.
@@ -31,6 +33,9 @@ private:
   vtkNew<vtkShadowRenderStepsPass> Steps;
   vtkRenderer* Renderer = nullptr;
 };
+
+/// What of the settings a rectilinear warp has.
+void ConfigureImportance(vtkRectilinearShadowMapWarp* warp, const TechniqueSettings& settings);
 }
 
 #endif

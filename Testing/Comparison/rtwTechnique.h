@@ -135,7 +135,7 @@ public:
   /// Bytes of the shadow maps and what comes with them.
   virtual int64_t GetMemory() = 0;
 
-  /// Of the last frame, if settings.Stages.
+  /// Of the frame before the last one, if settings.Stages, and if the GPU was waited for.
   virtual std::vector<Stage> GetStages() { return {}; }
 
   virtual void ReleaseGraphicsResources(vtkWindow* window) = 0;

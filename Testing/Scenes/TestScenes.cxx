@@ -238,6 +238,13 @@ TEST(Scenes, AnAssemblyHasTheActorsAskedFor)
   EXPECT_THROW(rtw::MakeAssemblyOf(0), std::invalid_argument);
 }
 
+TEST(Scenes, AFloorIsTwoTriangles)
+{
+  const rtw::Scene scene = rtw::MakeFloor();
+  EXPECT_EQ(rtw::NumberOfTriangles(scene), 2u + 12 * 12 + 2);
+  EXPECT_EQ(rtw::BoundsOf(scene).High.x - rtw::BoundsOf(scene).Low.x, 300);
+}
+
 TEST(Scenes, PartsHaveTheirBoundsAndTriangles)
 {
   const rtw::Scene scene = rtw::MakeScene("molecule");

@@ -108,6 +108,10 @@ Scene MakeSceneWithBudget(const std::string& name, std::size_t triangles);
 /// at least, in the same space. Throws std::invalid_argument if there are no actors.
 Scene MakeAssemblyOf(int actors, int trianglesPerActor = 100);
 
+/// Boxes and a roof over a floor of two triangles that reaches to the horizon: edges that a warp
+/// bends far more than those of finer meshes. MakeScene() does not know it.
+Scene MakeFloor();
+
 /// Reads an OBJ, PLY, STL, VTP, GLB or glTF file; all its parts are merged into one mesh in world
 /// coordinates. A FILE.json beside FILE.obj gives camera and light; otherwise they are fitted.
 /// Throws std::runtime_error, with a message that names the file, if there is nothing to show.

@@ -41,38 +41,49 @@ void StageTimers::End()
   glEndQuery(GL_TIME_ELAPSED);
 }
 
+// From the oldest on, so that the newest that is ready stays.
 void StageTimers::NextFrame()
 {
   this->Current = (this->Current + 1) % FramesKept;
-  this->Collect(this->Frames[this->Current]);
+  for (int age = FramesKept; age > 0; --age)
+  {
+    this->Collect(this->Frames[(this->Current + FramesKept - age) % FramesKept]);
+  }
+  this->Forget(this->Frames[this->Current]);
 }
 
+// If all of the frame is ready.
 void StageTimers::Collect(std::vector<Query>& queries)
 {
-  if (queries.empty())
+  GLint ready = 0;
+  if (!queries.empty())
+  {
+    glGetQueryObjectiv(queries.back().Id, GL_QUERY_RESULT_AVAILABLE, &ready);
+  }
+  if (!ready)
   {
     return;
   }
-  GLint ready = 0;
-  glGetQueryObjectiv(queries.back().Id, GL_QUERY_RESULT_AVAILABLE, &ready);
-  if (ready)
-  {
-    this->Results.clear();
-  }
+  this->Results.clear();
   for (const Query& query : queries)
   {
-    if (ready)
+    GLuint64 nanoseconds = 0;
+    glGetQueryObjectui64v(query.Id, GL_QUERY_RESULT, &nanoseconds);
+    const auto same = [&](const Result& result) { return result.Name == query.Stage; };
+    auto at = std::find_if(this->Results.begin(), this->Results.end(), same);
+    if (at == this->Results.end())
     {
-      GLuint64 nanoseconds = 0;
-      glGetQueryObjectui64v(query.Id, GL_QUERY_RESULT, &nanoseconds);
-      const auto same = [&](const Result& result) { return result.Name == query.Stage; };
-      auto at = std::find_if(this->Results.begin(), this->Results.end(), same);
-      if (at == this->Results.end())
-      {
-        at = this->Results.insert(at, { query.Stage, 0.0 });
-      }
-      at->Milliseconds += 1e-6 * static_cast<double>(nanoseconds);
+      at = this->Results.insert(at, { query.Stage, 0.0 });
     }
+    at->Milliseconds += 1e-6 * static_cast<double>(nanoseconds);
+  }
+  this->Forget(queries);
+}
+
+void StageTimers::Forget(std::vector<Query>& queries)
+{
+  for (const Query& query : queries)
+  {
     this->Free.push_back(query.Id);
   }
   queries.clear();
@@ -82,11 +93,7 @@ void StageTimers::Release()
 {
   for (auto& frame : this->Frames)
   {
-    for (const Query& query : frame)
-    {
-      this->Free.push_back(query.Id);
-    }
-    frame.clear();
+    this->Forget(frame);
   }
   if (!this->Free.empty())
   {

@@ -1,4 +1,4 @@
-// GPU time of each stage of a frame, read two frames late so that nothing waits.
+// GPU time of each stage of a frame, read when it is ready so that nothing waits.
 #ifndef rtwStageTimers_h
 #define rtwStageTimers_h
 
@@ -29,7 +29,7 @@ public:
 
   void SetEnabled(bool enabled) { this->Enabled = enabled; }
   bool GetEnabled() const { return this->Enabled; }
-  /// Collects what is ready of two frames ago and starts a new frame.
+  /// Collects the newest frame that is ready and starts a new one.
   void NextFrame();
   int GetNumberOfStages() const { return static_cast<int>(this->Results.size()); }
   const char* GetName(int stage) const { return this->Results[stage].Name.c_str(); }
@@ -53,6 +53,7 @@ private:
   void Begin(const char* stage);
   void End();
   void Collect(std::vector<Query>& queries);
+  void Forget(std::vector<Query>& queries);
 
   bool Enabled = false;
   int Current = 0;

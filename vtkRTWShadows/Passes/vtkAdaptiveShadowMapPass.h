@@ -291,7 +291,8 @@ public:
 
   ///@{
   /**
-   * Whether the GPU's time is taken, stage by stage; results are two frames old. Default: off.
+   * Whether the GPU's time is taken, stage by stage; results are those of the newest frame that the
+   * GPU had finished when the last one began. Default: off.
    */
   void SetTimeStages(bool time);
   bool GetTimeStages();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Options.h"
 
+#include "rtwTechniqueNames.h"
+
 #include <glm/glm.hpp>
 
 #include <sstream>
@@ -52,26 +54,6 @@ void ReadCamera(const std::string& text, Options& options)
   }
 }
 
-std::vector<rtw::Importance> ReadImportance(const std::string& text)
-{
-  using Kind = rtw::Importance;
-  if (text == "published")
-  {
-    return { Kind::DESIRED_VIEW, Kind::DISTANCE_TO_EYE, Kind::SURFACE_NORMAL };
-  }
-  std::vector<Kind> kinds;
-  for (const std::string& part : rtw::Split(text, '+'))
-  {
-    kinds.push_back(rtw::Choose<Kind>("--importance", part,
-      { { "desired-view", Kind::DESIRED_VIEW }, { "distance", Kind::DISTANCE_TO_EYE },
-        { "normal", Kind::SURFACE_NORMAL }, { "sqrt-demand", Kind::SQRT_DEMAND },
-        { "edges", Kind::SHADOW_EDGE }, { "interest", Kind::CENTRE_OF_INTEREST },
-        { "user", Kind::USER_FUNCTION }, { "footprint", Kind::FOOTPRINT },
-        { "count", Kind::SAMPLE_COUNT } }));
-  }
-  return kinds;
-}
-
 void ReadInterest(const std::string& text, rtw::TechniqueSettings& settings)
 {
   const std::vector<double> n = rtw::ToNumbers(text, 4);
@@ -120,9 +102,7 @@ std::vector<rtw::CommandLineOption> Entries(Options& options)
       [&](const std::string& value) { options.Frames = ReadWhole("--frames", value, 1, 100000); } },
     { "--filter", "F", "nearest, bilinear, pcf or soft",
       [&](const std::string& value) {
-        settings.Filtering = Choose<Filter>("--filter", value,
-          { { "nearest", Filter::NEAREST }, { "bilinear", Filter::BILINEAR },
-            { "pcf", Filter::PCF }, { "soft", Filter::SOFT } });
+        settings.Filtering = Choose("--filter", value, FilterNames());
       } },
     { "--filter-radius", "R", "texels of pcf, 0 to 8; world units of soft; default 2",
       [&](const std::string& value) {
@@ -135,9 +115,7 @@ std::vector<rtw::CommandLineOption> Entries(Options& options)
       } },
     { "--rasterization", "R", "linear, tessellated, exact or automatic",
       [&](const std::string& value) {
-        settings.Rasterizing = Choose<Rasterization>("--rasterization", value,
-          { { "linear", Rasterization::LINEAR }, { "tessellated", Rasterization::TESSELLATED },
-            { "exact", Rasterization::EXACT }, { "automatic", Rasterization::AUTOMATIC } });
+        settings.Rasterizing = Choose("--rasterization", value, RasterizationNames());
       } },
     { "--edge-length", "L", "of tessellated triangles at most, of the map's side; default 0.025",
       [&](const std::string& value) {
@@ -145,15 +123,11 @@ std::vector<rtw::CommandLineOption> Entries(Options& options)
       } },
     { "--view-samples", "S", "prepass or previous-frame",
       [&](const std::string& value) {
-        settings.Samples = Choose<SampleSource>("--view-samples", value,
-          { { "prepass", SampleSource::PREPASS },
-            { "previous-frame", SampleSource::PREVIOUS_FRAME } });
+        settings.Samples = Choose("--view-samples", value, SampleSourceNames());
       } },
     { "--depth-test", "T", "dual, receiver-plane or constant-bias",
       [&](const std::string& value) {
-        settings.Test = Choose<DepthTest>("--depth-test", value,
-          { { "dual", DepthTest::DUAL }, { "receiver-plane", DepthTest::RECEIVER_PLANE },
-            { "constant-bias", DepthTest::CONSTANT_BIAS } });
+        settings.Test = Choose("--depth-test", value, DepthTestNames());
       } },
     { "--focus", "on|off", "whether maps are fitted to what the camera sees",
       [&](const std::string& value) {
@@ -161,13 +135,13 @@ std::vector<rtw::CommandLineOption> Entries(Options& options)
       } },
     { "--importance", "I+...",
       "of rtw, multiplied: desired-view, distance, normal, sqrt-demand, edges,\n"
-      "interest, user, footprint, count; or published: the first three",
-      [&](const std::string& value) { settings.ImportanceKinds = ReadImportance(value); } },
+      "interest, user, footprint, count; published stands for the first three",
+      [&](const std::string& value) {
+        settings.ImportanceKinds = ReadImportance("--importance", value);
+      } },
     { "--analysis", "A", "of rtw: forward, backward or hybrid",
       [&](const std::string& value) {
-        settings.AnalysisKind = Choose<Analysis>("--analysis", value,
-          { { "forward", Analysis::FORWARD }, { "backward", Analysis::BACKWARD },
-            { "hybrid", Analysis::HYBRID } });
+        settings.AnalysisKind = Choose("--analysis", value, AnalysisNames());
       } },
     { "--light-image", "N", "texels a side of the depth image of a forward or hybrid analysis",
       [&](const std::string& value) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Chart.h"
 
+#include "ChartLabels.h"
+
 #include "rtwPictures.h"
 
 #include <vtkAxis.h>
@@ -155,7 +157,8 @@ void AddLine(vtkChartXY* chart, const ChartLine& line)
 {
   const Colour colour = ColourOf(line.Technique);
   const vtkSmartPointer<vtkTable> table = TableOf(line.Points.X, line.Points.Y);
-  const bool isPoint = table->GetNumberOfRows() < 2; // of which no line can be drawn
+  // Of less than two points no line can be drawn.
+  const bool isPoint = line.Scattered || table->GetNumberOfRows() < 2;
   auto* plot =
     vtkPlotPoints::SafeDownCast(chart->AddPlot(isPoint ? vtkChart::POINTS : vtkChart::LINE));
   plot->SetInputData(table, 0, 1);
@@ -182,6 +185,23 @@ void AddMarks(vtkChartXY* chart, const MarkSeries& marks)
   plot->SetLabel(marks.Name);
 }
 
+std::vector<PointLabel> LabelsOf(const Chart& chart)
+{
+  std::vector<PointLabel> labels;
+  for (const ChartLine& line : chart.Lines)
+  {
+    for (std::size_t i = 0; i < line.Labels.size(); ++i)
+    {
+      const double x = line.Points.X[i], y = line.Points.Y[i];
+      if (x > 0 && y > 0)
+      {
+        labels.push_back({ line.Labels[i], std::log10(x), std::log10(y) });
+      }
+    }
+  }
+  return labels;
+}
+
 void Fill(vtkChartXY* chart, const Chart& from)
 {
   Range x, y;
@@ -197,6 +217,10 @@ void Fill(vtkChartXY* chart, const Chart& from)
   }
   chart->SetTitle(from.Title);
   chart->GetTitleProperties()->SetFontSize(20);
+  if (!LabelsOf(from).empty())
+  {
+    x.High += 0.5 * (x.High - x.Low); // the labels' place
+  }
   SetAxis(chart->GetAxis(vtkAxis::BOTTOM), from.XTitle, x);
   SetAxis(chart->GetAxis(vtkAxis::LEFT), from.YTitle, y);
   chart->SetShowLegend(true);
@@ -222,5 +246,13 @@ void WriteChart(const Chart& from, const std::string& path)
   Fill(chart, from);
   view->GetScene()->AddItem(chart);
   window->Render();
+  const std::vector<PointLabel> labels = LabelsOf(from);
+  if (!labels.empty())
+  {
+    vtkNew<ChartLabels> names;
+    names->SetLabels(chart, labels);
+    view->GetScene()->AddItem(names);
+    window->Render();
+  }
   rtw::WritePng(rtw::Grab(window), path);
 }

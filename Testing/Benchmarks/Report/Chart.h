@@ -21,6 +21,8 @@ struct ChartLine
   std::string Technique; // decides the colour
   bool Dashed = false;   // and thin, and not in the legend
   bool Marked = false;   // with a dot at each point
+  bool Scattered = false;          // points, with no line
+  std::vector<std::string> Labels; // of the points; none if empty
 };
 
 /// A chart with logarithmic axes.

@@ -3,6 +3,7 @@
 
 #include "Markdown.h"
 #include "Plots.h"
+#include "Sections.h"
 
 #include "rtwQuantile.h"
 
@@ -331,12 +332,17 @@ std::string WritePage(const Results& results, const std::vector<Change>& changes
       "## Growth\n\nFitted to powers: time ~ n^exponent, by least squares of the logarithms.\n\n" +
       growth;
   }
-  return text + Moving(results) + Stages(results);
+  return text + Moving(results) + Stages(results) + PaperSection(results) +
+    VariantSections(results, folder, plots) + ClaimsSection(results);
 }
 
 std::string Summary(const Results& results)
 {
   const Selection maps = OfFamily(results, "maps");
+  if (maps.empty())
+  {
+    return "";
+  }
   MarkdownTable table({ "technique", "wrong %, mean of the scenes", "× vtk, geometric mean" });
   for (const std::string& technique : ValuesOf(maps, "technique"))
   {

@@ -141,3 +141,34 @@ Chart GrowthChart(const Results& results, const std::string& family, const std::
   }
   return chart;
 }
+
+Chart FunctionChart(const Selection& lines, const std::string& scene)
+{
+  Chart chart;
+  chart.Title = scene + ": wrong pixels against time of importance functions";
+  chart.XTitle = "milliseconds a frame, camera moving";
+  chart.YTitle = "wrong pixels, % of those that face the light";
+  for (const Line* line : lines)
+  {
+    const std::string variant = line->Key("variant");
+    const std::size_t plus = variant.find('+');
+    const std::string name = variant.empty() ? line->Key("technique") : variant.substr(0, plus);
+    if (line->Key("scene") != scene || name == "none" || name == "vtk")
+    {
+      continue;
+    }
+    auto at = std::find_if(chart.Lines.begin(), chart.Lines.end(),
+      [&](const ChartLine& points) { return points.Technique == name; });
+    if (at == chart.Lines.end())
+    {
+      ChartLine points;
+      points.Technique = points.Points.Name = name;
+      points.Scattered = true;
+      at = chart.Lines.insert(at, points);
+    }
+    at->Points.X.push_back(line->Value("ms"));
+    at->Points.Y.push_back(line->Value("wrong_percent"));
+    at->Labels.push_back(variant.empty() ? name : variant.substr(plus + 1));
+  }
+  return chart;
+}

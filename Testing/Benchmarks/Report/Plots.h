@@ -28,6 +28,9 @@ std::vector<std::pair<std::string, std::string>> GrowthFamilies();
 
 /// A technique's milliseconds over what grows; of the window, over its pixels.
 Curve GrowthCurve(const Results& results, const std::string& family, const std::string& technique);
+/// Of importance functions in a scene: error against milliseconds, a colour an analysis.
+Chart FunctionChart(const Selection& lines, const std::string& scene);
+
 Chart GrowthChart(const Results& results, const std::string& family, const std::string& what);
 
 #endif

@@ -36,7 +36,10 @@ std::string HelpText()
          "Makes tables and plots of what shadow-benchmark wrote: RESULTS.md, and for each OpenGL\n"
          "renderer RESULTS-renderer.md, since times on different ones have nothing to do with "
          "each\n"
-         "other. Of several files of one renderer the last is shown, and compared with the first:\n"
-         "lines that have become slower or less accurate by more than noise are told.\n\n" +
+         "other. Files of one renderer that have no line in common are one run, such as of "
+         "several\n"
+         "families. Of several runs the last is shown, and compared with the first: lines that "
+         "have\n"
+         "become slower or less accurate by more than noise are told.\n\n" +
     rtw::OptionsHelp(Entries(options));
 }

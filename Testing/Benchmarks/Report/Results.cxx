@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <iterator>
 #include <numeric>
 
 namespace
@@ -115,19 +116,6 @@ std::string Results::Renderer() const
   return this->Context.at("gl_renderer");
 }
 
-Selection Select(const Results& results, const std::string& key, const std::string& value)
-{
-  Selection selection;
-  for (const Line& line : results.Lines)
-  {
-    if (line.Key(key) == value)
-    {
-      selection.push_back(&line);
-    }
-  }
-  return selection;
-}
-
 Selection OfFamily(const Results& results, const std::string& family)
 {
   Selection selection;
@@ -138,6 +126,14 @@ Selection OfFamily(const Results& results, const std::string& family)
       selection.push_back(&line);
     }
   }
+  return selection;
+}
+
+Selection Select(const Selection& lines, const std::string& key, const std::string& value)
+{
+  Selection selection;
+  std::copy_if(lines.begin(), lines.end(), std::back_inserter(selection),
+    [&](const Line* line) { return line->Key(key) == value; });
   return selection;
 }
 
@@ -162,6 +158,18 @@ const Line* Pick(const Selection& lines, const std::map<std::string, std::string
       [&](const auto& key) { return line->Key(key.first) == key.second; });
   });
   return at == lines.end() ? nullptr : *at;
+}
+
+bool Join(Results& to, const Results& from)
+{
+  const bool overlaps = std::any_of(from.Lines.begin(), from.Lines.end(),
+    [&](const Line& line) { return to.Find(line.Name) != nullptr; });
+  if (!overlaps)
+  {
+    to.File += ", " + from.File;
+    to.Lines.insert(to.Lines.end(), from.Lines.begin(), from.Lines.end());
+  }
+  return !overlaps;
 }
 
 Results ReadResults(const std::string& path)

@@ -40,14 +40,18 @@ struct Results
 
 using Selection = std::vector<const Line*>;
 
-Selection Select(const Results& results, const std::string& key, const std::string& value);
 Selection OfFamily(const Results& results, const std::string& family);
+Selection Select(const Selection& lines, const std::string& key, const std::string& value);
 
 /// The different values of a key, as they first come up.
 std::vector<std::string> ValuesOf(const Selection& lines, const std::string& key);
 
 /// The line of such values; null if there is none.
 const Line* Pick(const Selection& lines, const std::map<std::string, std::string>& keys);
+
+/// Adds the lines of another run, of other families, unless the two have one in common: then
+/// nothing changes, and it returns false.
+bool Join(Results& to, const Results& from);
 
 /// Throws rtw::UsageError, with a message that names the file, if it is none of shadow-benchmark's.
 Results ReadResults(const std::string& path);

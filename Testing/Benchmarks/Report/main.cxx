@@ -2,6 +2,7 @@
 // Makes tables and plots of what shadow-benchmark measured.
 #include "Page.h"
 #include "ReportOptions.h"
+#include "Sections.h"
 
 #include "rtwCommandLine.h"
 
@@ -13,6 +14,7 @@
 #include <cstdio>
 #include <fstream>
 #include <map>
+#include <set>
 #include <stdexcept>
 
 namespace
@@ -64,7 +66,10 @@ std::vector<Renderer> Sort(const std::vector<std::string>& files)
       brief += number > 1 ? "-" + std::to_string(number) : "";
       at = renderers.insert(renderers.end(), { name, brief, {} });
     }
-    at->Runs.push_back(std::move(results));
+    if (at->Runs.empty() || !Join(at->Runs.back(), results))
+    {
+      at->Runs.push_back(std::move(results));
+    }
   }
   return renderers;
 }
@@ -90,14 +95,46 @@ std::vector<Change> Changes(const Renderer& renderer)
   return changes;
 }
 
+// By which the runs that are shown are made again.
+std::string Commands(const std::vector<Renderer>& renderers)
+{
+  std::set<std::string> shown;
+  for (const Renderer& renderer : renderers)
+  {
+    for (const Line& line : renderer.Runs.back().Lines)
+    {
+      shown.insert(line.Family);
+    }
+  }
+  std::string named;
+  for (const std::string& family : SectionFamilies())
+  {
+    if (shown.erase(family) > 0)
+    {
+      named += (named.empty() ? "" : ",") + family;
+    }
+  }
+  std::string measure, files;
+  if (!shown.empty())
+  {
+    measure += "    shadow-benchmark --benchmark_out results.json\n";
+    files += " results.json";
+  }
+  if (!named.empty())
+  {
+    measure += "    shadow-benchmark --family " + named + " --benchmark_out tables.json\n";
+    files += " tables.json";
+  }
+  return measure + "    shadow-report" + files + " --out Testing/Benchmarks\n\n";
+}
+
 int Run(const ReportOptions& options)
 {
   const std::vector<Renderer> renderers = Sort(options.Files);
   std::string index =
     "# Results\n\nBy `shadow-report`, from what `shadow-benchmark` measured; a page for "
-    "each OpenGL renderer. The tables here are at 1024 × 1024 texels, camera moving.\n\n"
-    "    shadow-benchmark --benchmark_out results.json\n"
-    "    shadow-report results.json --out Testing/Benchmarks\n\n";
+    "each OpenGL renderer. The tables here are at 1024 × 1024 texels, camera moving.\n\n" +
+    Commands(renderers);
   bool isWorse = false;
   for (const Renderer& renderer : renderers)
   {
@@ -117,7 +154,8 @@ int Run(const ReportOptions& options)
     const Results& results = renderer.Runs.back();
     Write(
       options.OutputFolder + "/" + page, WritePage(results, changes, options.OutputFolder, plots));
-    index += "## [" + renderer.Name + "](" + page + ")\n\n" + Summary(results);
+    index +=
+      "## [" + renderer.Name + "](" + page + ")\n\n" + Summary(results) + ClaimsTable(results);
   }
   Write(options.OutputFolder + "/RESULTS.md", index);
   return options.Check && isWorse ? 3 : 0;

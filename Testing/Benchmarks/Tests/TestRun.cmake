@@ -34,3 +34,18 @@ if (NOT code STREQUAL "0" OR NOT error STREQUAL ""
     OR NOT output MATCHES "Wrong pixels are exactly as many in 8 of 8")
   message(FATAL_ERROR "exit code ${code}\n${output}\n${error}")
 endif ()
+
+# One frame is one place, also for pixels; one lap has nothing to flicker.
+execute_process(
+  COMMAND "${BENCHMARK}" --family maps --scene robot --resolution 64 --size 96x64 --frames 1 --laps 1
+    --technique rtw --benchmark_out "${FOLDER}/one.json"
+  RESULT_VARIABLE code OUTPUT_VARIABLE table ERROR_VARIABLE error)
+file(READ "${FOLDER}/one.json" one)
+string(REGEX MATCHALL "\"pixels\": [0-9.e+]+" all "${json}")
+string(REGEX MATCHALL "\"pixels\": [0-9.e+]+" few "${one}")
+list(GET all 0 all)
+list(GET few 0 few)
+if (NOT code STREQUAL "0" OR NOT error STREQUAL "" OR NOT one MATCHES "\"frames\": 1\\.0*e[+]00"
+    OR one MATCHES "\"frames\": [2-9]" OR few STREQUAL all)
+  message(FATAL_ERROR "exit code ${code}: more than one place\n${table}\n${error}${few}, ${all}")
+endif ()
