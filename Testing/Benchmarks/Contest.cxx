@@ -148,19 +148,6 @@ void Contest::CompareLate(Place& own)
   }
 }
 
-// As many places as there is time for, but twice as many each time, so that another run of the same
-// has them too.
-int Contest::NumberOfPlaces(double round, double left) const
-{
-  int places = this->On.LeastPlaces(this->Settings);
-  const double lapsAtPlace = this->On.Laps(this->Settings) * round;
-  while (2 * places <= this->Settings.Frames && 2 * places * lapsAtPlace < left)
-  {
-    places *= 2;
-  }
-  return places;
-}
-
 // To where the next lap is a tiny step away.
 void Contest::LeadIn(std::vector<std::unique_ptr<Place>>& places, int place)
 {
@@ -175,10 +162,24 @@ void Contest::LeadIn(std::vector<std::unique_ptr<Place>>& places, int place)
   }
 }
 
+// Returns the milliseconds that it took.
+double Contest::MeasurePlaces(std::vector<std::unique_ptr<Place>>& places, int first, int end)
+{
+  double sum = 0;
+  for (int place = first; place < end; ++place)
+  {
+    this->LeadIn(places, place);
+    for (int lap = 0; lap < this->On.Laps(this->Settings); ++lap)
+    {
+      sum += this->Round(places, place, lap);
+    }
+  }
+  return sum;
+}
+
 void Contest::Measure(Budget& budget)
 {
   budget.StartTask();
-  const int laps = this->On.Laps(this->Settings);
   const auto scene = SceneOf(this->On);
   this->Triangles = std::size_t(1 + this->On.Outside) * rtw::NumberOfTriangles(*scene);
   TruthsOf(this->On, this->Settings); // before the time of frames is reckoned
@@ -187,20 +188,19 @@ void Contest::Measure(Budget& budget)
   for (std::size_t i = 0; i < this->On.Who.size(); ++i)
   {
     const Contestant& contestant = this->On.Who[i];
-    this->Outcomes[i].Laps.resize(std::size_t(laps));
+    this->Outcomes[i].Laps.resize(std::size_t(this->On.Laps(this->Settings)));
     places.push_back(std::make_unique<Place>(
       this->On, scene, contestant, this->Make(contestant), this->Outcomes[i]));
   }
   this->Actors = places.front()->View.GetRenderer()->GetActors()->GetNumberOfItems();
-  const double round = this->Round(places, ELSEWHERE, -1);
-  const int number = this->NumberOfPlaces(round, budget.Left());
-  for (int place = 0; place < number; ++place)
+  this->Round(places, ELSEWHERE, -1);
+  // As many places as there is time for, but twice as many each time, so that another run of the
+  // same has them too.
+  int end = this->On.LeastPlaces(this->Settings);
+  double sum = this->MeasurePlaces(places, 0, end);
+  for (; 2 * end <= this->Settings.Frames && sum < budget.Left(); end *= 2)
   {
-    this->LeadIn(places, place);
-    for (int lap = 0; lap < laps; ++lap)
-    {
-      this->Round(places, place, lap);
-    }
+    sum += this->MeasurePlaces(places, end, 2 * end);
   }
   for (const std::unique_ptr<Place>& place : places)
   {

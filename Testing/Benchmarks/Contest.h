@@ -59,7 +59,7 @@ private:
   static void CollectStages(Place& own);
   void Compare(Place& own, int place, int step);
   void CompareLate(Place& own);
-  int NumberOfPlaces(double round, double left) const;
+  double MeasurePlaces(std::vector<std::unique_ptr<Place>>& places, int first, int end);
 
   Setup On;
   const Options& Settings;

@@ -65,7 +65,7 @@ TechniqueView::TechniqueView(int width, int height,
   {
     this->Shadows->Install(this->Renderer);
   }
-  this->Window->Render();
+  this->Window->MakeCurrent();
   this->IsSoftware = RendersInSoftware();
 }
 

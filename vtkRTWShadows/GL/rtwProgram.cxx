@@ -123,6 +123,15 @@ void Program::Set(const char* uniform, float x, float y, float z) const
   glUniform3f(this->Location(uniform), x, y, z);
 }
 
+void Program::SetBlock(const char* block, unsigned int binding) const
+{
+  const GLuint index = glGetUniformBlockIndex(this->Id, block);
+  if (index != GL_INVALID_INDEX)
+  {
+    glUniformBlockBinding(this->Id, index, binding);
+  }
+}
+
 void Program::SetMatrix(const char* uniform, const float* columns) const
 {
   glUniformMatrix4fv(this->Location(uniform), 1, GL_FALSE, columns);

@@ -3,9 +3,14 @@
 // Rows of a layer: forward along s, forward along t, inverse along s, inverse along t. Behind the last cell of the first two
 // stands the focus along that axis: its low end, and one over its extent.
 #if defined(RTW_TABLE_IN_UNIFORMS)
-layout(std140) uniform WarpTableOfLayer // of the layer that is worked on; at binding 0, as any block is at first
+// Of the layer that is worked on, two blocks, since no block may be longer. Both stand where WarpTable puts them.
+layout(std140) uniform WarpForward
 {
-  vec4 rtwWarpPairs[4096];
+  vec4 rtwForwardPairs[4096];
+};
+layout(std140) uniform WarpInverse
+{
+  vec4 rtwInversePairs[4096];
 };
 #elif defined(RTW_TABLE_IN_STORAGE)
 layout(std430, binding = 7) readonly buffer WarpTable
@@ -19,14 +24,14 @@ uniform ivec2 rtwWarpSize; // cells of a warping function, texels of the map
 
 int rtwWarpPlace(int row, int i)
 {
-  return row * max(rtwWarpSize.x + 1, rtwWarpSize.y) + i;
+  return row * ((max(rtwWarpSize.x + 1, rtwWarpSize.y) + 1) & ~1) + i;
 }
 
 vec2 rtwWarpEntry(int row, int i)
 {
 #if defined(RTW_TABLE_IN_UNIFORMS)
-  int place = rtwWarpPlace(row & 3, i);
-  vec4 two = rtwWarpPairs[place >> 1];
+  int place = rtwWarpPlace(row & 1, i);
+  vec4 two = (row & 2) == 0 ? rtwForwardPairs[place >> 1] : rtwInversePairs[place >> 1];
   return (place & 1) == 0 ? two.xy : two.zw;
 #elif defined(RTW_TABLE_IN_STORAGE)
   return rtwWarpTable[rtwWarpPlace(row, i)];

@@ -39,7 +39,8 @@ void WarpTable::Allocate(int cells, int resolution, int layers)
 
 int WarpTable::GetRowLength() const
 {
-  return std::max(this->Cells + 1, this->Resolution); // rtwWarpFocus.glsl has it too
+  const int length = std::max(this->Cells + 1, this->Resolution);
+  return length + length % 2; // rtwWarpFocus.glsl has it too
 }
 
 void WarpTable::WriteRow(int row, int first, const std::vector<float>& values)
@@ -96,18 +97,25 @@ void WarpTable::Bind(const Program& program) const
   program.Set("rtwWarpTable", Unit);
   glUniform2i(program.Location("rtwWarpSize"), this->Cells, this->Resolution);
   program.Set("rtwBendLevels", this->BendLevels);
+  program.SetBlock("WarpForward", UniformBinding);
+  program.SetBlock("WarpInverse", UniformBinding + 1);
 }
 
-std::size_t WarpTable::GetLayerBytes() const
+// Two rows.
+std::size_t WarpTable::GetBlockBytes() const
 {
-  return RowsPerLayer * this->GetRowLength() * 2 * sizeof(float);
+  return RowsPerLayer / 2 * this->GetRowLength() * 2 * sizeof(float);
 }
 
 void WarpTable::BindLayer(int layer) const
 {
   if (this->FitsUniforms())
   {
-    this->Table.BindUniforms(UniformBinding, layer * this->GetLayerBytes(), UniformBytes);
+    for (unsigned int block = 0; block < 2; ++block)
+    {
+      this->Table.BindUniforms(UniformBinding + block,
+        (2 * std::size_t(layer) + block) * this->GetBlockBytes(), UniformBytes);
+    }
   }
 }
 

@@ -28,8 +28,8 @@ public:
   static constexpr int Unit = 5; ///< texture unit in our own programs
   static constexpr int BendUnit = 6;
   static constexpr unsigned int StorageBinding = 7; // as in rtwWarpFocus.glsl
-  static constexpr unsigned int UniformBinding = 0; // as there
-  static constexpr std::size_t UniformBytes = 4096 * 16; // as there
+  static constexpr unsigned int UniformBinding = 0; // and the next
+  static constexpr std::size_t UniformBytes = 4096 * 16; // of a block, as there
   /// To stand before rtwWarpFocus.glsl.
   static const char* DefinitionOf(TableAccess access);
 
@@ -44,7 +44,7 @@ public:
   void Bind(const Program& program) const;
   /// For shaders that read it as uniforms, where it fits.
   void BindLayer(int layer) const;
-  bool FitsUniforms() const { return this->GetLayerBytes() <= UniformBytes; }
+  bool FitsUniforms() const { return this->GetBlockBytes() <= UniformBytes; }
   const TexelBuffer& GetValues() const { return this->Table; }
   const TexelBuffer& GetBends() const { return this->Bends; }
   /// Elements in a row of the table.
@@ -61,7 +61,7 @@ public:
   void Abandon();
 
 private:
-  std::size_t GetLayerBytes() const;
+  std::size_t GetBlockBytes() const;
   void WriteRow(int row, int first, const std::vector<float>& values);
 
   TexelBuffer Table, Bends;

@@ -5,6 +5,7 @@ execute_process(
   COMMAND "${PROGRAM}" robot --resolution 128 --size 160x120 --frames 1
     --pieces 3 --out "${FOLDER}/pictures" --debug-view shadow,aliasing,importance,grid,layers --json "${FOLDER}/pictures/numbers.json"
   RESULT_VARIABLE code OUTPUT_VARIABLE table ERROR_VARIABLE error)
+string(REGEX REPLACE "[a-z ]+: [0-9]+ %\n" "" error "${error}") # a busy machine's progress
 if (NOT code STREQUAL "0" OR NOT error STREQUAL "")
   message(FATAL_ERROR "exit code ${code}, stderr: ${error}")
 endif ()
