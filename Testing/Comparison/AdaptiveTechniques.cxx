@@ -66,6 +66,10 @@ void ConfigureDrawing(vtkAdaptiveShadowMapPass* pass, const TechniqueSettings& s
   {
     pass->SetMaximumEdgeLength(*settings.EdgeLength);
   }
+  if (settings.SampleStride)
+  {
+    pass->SetViewSampleStride(*settings.SampleStride);
+  }
   if (settings.Samples)
   {
     pass->SetViewSampleSource(static_cast<int>(*settings.Samples));

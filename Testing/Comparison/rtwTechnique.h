@@ -85,6 +85,7 @@ struct TechniqueSettings
   std::optional<Rasterization> Rasterizing;
   std::optional<double> EdgeLength; // of tessellated triangles at most, of the map's side
   std::optional<SampleSource> Samples;
+  std::optional<int> SampleStride;
   std::optional<double> FilterRadius; // texels of PCF, world units of SOFT
   std::optional<bool> FilterJitter;
   std::optional<DepthTest> Test;

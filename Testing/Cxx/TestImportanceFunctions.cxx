@@ -101,7 +101,7 @@ void TestFootprints()
     scene.MapsOf("inversesqrt(footprint.x * footprint.y)"), footprint);
   // Demand times the footprint is the number of samples, under a root.
   const Maps count = scene.MapsWith(Pass::SAMPLE_COUNT);
-  const Maps root = scene.MapsOf("footprint.x", Pass::SQRT_DEMAND);
+  const Maps root = scene.MapsOf("256.0 * footprint.x", Pass::SQRT_DEMAND);
   rtwCheckApart("sample count", count, root, 1e-3);
   std::vector<double> squares(1, 0.0);
   for (std::size_t i = 1; i < root[0].size(); ++i)

@@ -7,6 +7,7 @@
 
 #include "vtkLightCollection.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <iostream>
@@ -21,10 +22,14 @@ struct Errors
   double Percent(size_t count) const { return 100.0 * double(count) / double(this->Looked); }
 };
 
-// Stained is what a tenth of the light is missing from, or too much for.
+// Stained is what a tenth of the light is missing from, or too much for. What is averted lies in its
+// own shadow: a wide filter meets an edge there too.
 Errors Count(const std::vector<unsigned char>& mask, const rtw::Truth& truth, int reach)
 {
-  const std::vector<char> near = rtw::NearEdges(truth, reach);
+  rtw::Truth shadows = truth;
+  std::replace(shadows.Mask.begin(), shadows.Mask.end(), static_cast<unsigned char>(rtw::MASK_AVERTED),
+    static_cast<unsigned char>(rtw::MASK_SHADOW));
+  const std::vector<char> near = rtw::NearEdges(shadows, reach);
   Errors errors;
   for (size_t i = 0; i < mask.size(); ++i)
   {
@@ -119,7 +124,7 @@ int TestShadowFilterAcne(int, char*[])
 {
   const Scene scenes[] = { { "objects", FillWithObjects, 0.1, 0, 0.02 },
     { "spot", FillUnderSpot, 0.1, 0, 0.02 }, { "plane", FillWithPlane, 0.02, 0, 0.02 },
-    { "spheres", FillWithSpheres, 0.1, 0, 0.1 }, { "terrain", FillWithTerrain, 1, 0.1, 2.5 } };
+    { "spheres", FillWithSpheres, 0.1, 0, 0.02 }, { "terrain", FillWithTerrain, 1, 0.1, 2.5 } };
   for (const Scene& scene : scenes)
   {
     TestScene(scene, rtwTechnique::RTW);

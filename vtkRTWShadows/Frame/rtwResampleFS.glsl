@@ -1,7 +1,6 @@
-// View samples from a frame's depth: a sample stands for a square of pixels, and its plane is that of the pixel in the middle and the
-// nearer in depth of the two beside it, along each axis, because the other may be of another surface.
+// View samples from a frame's depth: a sample stands for a square of pixels, and its plane is that of one of them and the nearer in
+// depth of the two beside it, along each axis, because the other may be of another surface.
 uniform sampler2D rtwDepth;
-uniform int rtwStride;         // pixels a side of a square
 uniform vec2 rtwDepthToSample; // scale, offset
 layout(location = 0) out vec4 viewSample;
 
@@ -17,10 +16,14 @@ float rtwDifference(ivec2 pixel, float depth, ivec2 step)
 
 void main()
 {
-  ivec2 pixel = ivec2(gl_FragCoord.xy) * rtwStride + rtwStride / 2;
+  SampledSquare square = rtwSquareOf(ivec2(gl_FragCoord.xy), textureSize(rtwDepth, 0));
+  ivec2 pixel = square.pixel;
   float depth = texelFetch(rtwDepth, pixel, 0).r;
   vec2 slope = vec2(rtwDifference(pixel, depth, ivec2(1, 0)), rtwDifference(pixel, depth, ivec2(0, 1)));
+  // What is read as of the square's middle lies there on the same plane.
+  vec2 extent = vec2(square.extent);
+  float middle = depth + dot(slope, 0.5 * (extent - 1.0) - vec2(pixel - square.low));
   viewSample = depth < 1.0
-    ? vec4(depth * rtwDepthToSample.x + rtwDepthToSample.y, slope * rtwDepthToSample.x * float(rtwStride), 1.0)
+    ? vec4(middle * rtwDepthToSample.x + rtwDepthToSample.y, slope * rtwDepthToSample.x * extent, 1.0)
     : vec4(0.0);
 }

@@ -8,6 +8,7 @@
 #include "rtwPrimeDepthFS.h"
 #include "rtwResampleFS.h"
 #include "rtwSampleDepth.h"
+#include "rtwSamplePlace.h"
 #include "rtwScreenVS.h"
 #include "rtwStateGuard.h"
 #include "rtwViewSampleAccess.h"
@@ -26,7 +27,7 @@ bool ViewSampler::Build()
     this->Priming.Build({ { GL_VERTEX_SHADER, { rtwScreenVS } },
       { GL_FRAGMENT_SHADER, { rtwViewSampleAccess, rtwSampleDepth, rtwPrimeDepthFS } } }) &&
     this->Resampling.Build({ { GL_VERTEX_SHADER, { rtwScreenVS } },
-      { GL_FRAGMENT_SHADER, { rtwResampleFS } } });
+      { GL_FRAGMENT_SHADER, { rtwSamplePlace, rtwResampleFS } } });
 }
 
 std::string ViewSampler::GetLog() const
@@ -84,8 +85,8 @@ bool ViewSampler::Render(const View& view, const GeometryStore& store, bool own)
 bool ViewSampler::Resample(const LastFrame& frame, int stride)
 {
   this->Viewed = frame.GetView();
-  this->Viewed.Width = std::max(this->Viewed.Width / stride, 1);
-  this->Viewed.Height = std::max(this->Viewed.Height / stride, 1);
+  this->Viewed.Width = Groups(this->Viewed.Width, stride);
+  this->Viewed.Height = Groups(this->Viewed.Height, stride);
   this->Current = &this->Resampled;
   this->Resampled.Allocate(Format::Float4, this->Viewed.Width, this->Viewed.Height);
   StateGuard::PrepareDepthDrawing(false);

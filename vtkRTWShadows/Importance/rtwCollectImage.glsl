@@ -20,7 +20,7 @@ void main()
   {
     return;
   }
-  ivec2 cell = rtwCell(s, focus);
+  ivec2 cell = rtwCell(rtwFocused(focus, s.onLight));
   bool edge = !rtwIsOn(SHADOW_EDGE) || rtwAtShadowEdge(s, focus);
   vec2 asked = rtwAsked(s, focus, edge);
   for (int axis = 0; axis < 2; ++axis)

@@ -1,5 +1,6 @@
 // Backward analysis (Rosen 2012, section 4.1): a work group collects a tile of view samples, then adds what it found.
 const int MOST_CELLS = 2048;
+const float MOST_PARTS = 8.0; // of a sample
 shared uint rtwTile[PROFILES * 2 * MOST_CELLS];
 
 void rtwAdd(int profile, ivec2 cell, uvec2 value)
@@ -9,26 +10,53 @@ void rtwAdd(int profile, ivec2 cell, uvec2 value)
   atomicAdd(rtwTile[first + MOST_CELLS + cell.y], value.y);
 }
 
+// A sum in whole numbers, of which its parts lose nothing.
+struct Share
+{
+  vec2 whole;
+  uvec2 given;
+};
+
+uvec2 rtwNextOf(inout Share share, float upTo)
+{
+  uvec2 given = share.given;
+  share.given = uvec2(share.whole * upTo + 0.5);
+  return share.given - given;
+}
+
+void rtwCollect(ivec2 cell, uvec2 value, bool edge)
+{
+  if (!rtwIsSum())
+  {
+    atomicMax(rtwTile[cell.x], value.x);
+    atomicMax(rtwTile[MOST_CELLS + cell.y], value.y);
+    return;
+  }
+  rtwAdd(0, cell, value);
+  if (PROFILES == 2 && edge)
+  {
+    rtwAdd(PROFILES - 1, cell, value);
+  }
+}
+
+// Its square is spread over the cells that the square's pixels would fall to.
 void rtwVisit(LitSample s)
 {
   vec4 focus = rtwFocus(rtwLayer);
-  ivec2 cell = rtwCell(s, focus);
   bool edge = !rtwIsOn(SHADOW_EDGE) || rtwAtShadowEdge(s, focus);
   vec2 asked = rtwAsked(s, focus, edge);
-  if (rtwIsSum())
+  vec2 least = vec2(greaterThan(asked, vec2(0.0)));
+  Share share = Share(floor(clamp(asked, least, vec2(LARGEST)) + 0.5), uvec2(0u));
+  vec2 wide = rtwStride > 1 ? float(rtwStride) * s.footprint * focus.yw : vec2(0.0);
+  vec2 cells = wide * float(rtwWarpSize.x);
+  int parts = int(clamp(ceil(max(cells.x, cells.y)), 1.0, MOST_PARTS));
+  for (int part = 0; part < parts; ++part)
   {
-    vec2 least = vec2(greaterThan(asked, vec2(0.0)));
-    uvec2 value = uvec2(clamp(asked, least, vec2(LARGEST)) + 0.5);
-    rtwAdd(0, cell, value);
-    if (PROFILES == 2 && edge)
-    {
-      rtwAdd(PROFILES - 1, cell, value);
-    }
-  }
-  else
-  {
-    atomicMax(rtwTile[cell.x], floatBitsToUint(asked.x));
-    atomicMax(rtwTile[MOST_CELLS + cell.y], floatBitsToUint(asked.y));
+    float before = float(part) / float(parts);
+    float after = float(part + 1) / float(parts);
+    vec2 shift = wide * (0.5 * (before + after) - 0.5);
+    uvec2 value = rtwIsSum() ? rtwNextOf(share, after) : floatBitsToUint(asked);
+    rtwCollect(rtwCell(rtwFocused(focus, s.onLight) + shift), value, edge);
   }
 }
 

@@ -99,9 +99,9 @@ vec2 rtwAsked(LitSample s, vec4 focus, bool edge)
   return vec2(value) * (rtwIsSum() ? COUNT_UNIT : 1.0);
 }
 
-ivec2 rtwCell(LitSample s, vec4 focus)
+ivec2 rtwCell(vec2 focused)
 {
-  return clamp(ivec2(rtwFocused(focus, s.onLight) * float(rtwWarpSize.x)), 0, rtwWarpSize.x - 1);
+  return clamp(ivec2(focused * float(rtwWarpSize.x)), 0, rtwWarpSize.x - 1);
 }
 
 uint rtwPlace(int profile, int axis, int cell)

@@ -16,6 +16,7 @@
 #include "rtwLightUniforms.h"
 #include "rtwLitSample.h"
 #include "rtwOpenGL.h"
+#include "rtwSamplePlace.h"
 #include "rtwTexture.h"
 #include "rtwUserFunction.h"
 #include "rtwViewSampleAccess.h"
@@ -123,6 +124,7 @@ bool ImportanceStage::Compile(const Shape& shape, Program& program)
   return program.Build({ { GL_COMPUTE_SHADER,
     { definitions.c_str(), rtwWarpFocus, rtwViewSampleAccess, rtwLitSample,
       image ? rtwLightImage : "", rtwUserFunction, body.c_str(), rtwImportance,
+      shape.Forward ? "" : rtwSamplePlace,
       shape.Forward ? rtwForwardSample : rtwBackwardSample, edges,
       shape.Forward ? rtwCollectImage : rtwCollectView } } });
 }
@@ -270,8 +272,8 @@ void ImportanceStage::Collect(const AnalysisInput& input) const
     Dispatch(Groups(side, Group), Groups(side, Group));
     return;
   }
-  Dispatch(Groups(input.Samples.GetWidth() / input.Stride, Tile),
-    Groups(input.Samples.GetHeight() / input.Stride, Tile));
+  Dispatch(Groups(Groups(input.Samples.GetWidth(), input.Stride), Tile),
+    Groups(Groups(input.Samples.GetHeight(), input.Stride), Tile));
 }
 
 void ImportanceStage::Release()

@@ -1,9 +1,8 @@
 // Backward: from a view sample to the light (Rosen 2012, section 4.1).
-uniform int rtwStride; // every how many pixels there is a sample
-
 LitSample rtwLoadSample(ivec2 index)
 {
-  SampledPlane plane = rtwLoadPlane(index * rtwStride + rtwStride / 2);
+  SampledSquare square = rtwSquareOf(index, textureSize(rtwSamples, 0));
+  SampledPlane plane = rtwLoadPlane(square.pixel);
   vec3 here = rtwOnLight(plane.here);
   vec2 dx = rtwOnLight(plane.right).xy - here.xy;
   vec2 dy = rtwOnLight(plane.above).xy - here.xy;
@@ -14,6 +13,9 @@ LitSample rtwLoadSample(ivec2 index)
   s.onLight = here.xy;
   s.w = here.z;
   s.footprint = vec2(length(vec2(dx.x, dy.x)), length(vec2(dx.y, dy.y)));
+  ivec2 before = square.pixel - square.low;
+  ivec2 away = max(before, square.extent - 1 - before);
+  s.reach = float(max(away.x, away.y)) * (abs(dx) + abs(dy));
   s.area = abs(turn);
   s.pixels = 1.0;
   // A surface that faces both viewer and light is seen the other way round from the light plane's back.
@@ -29,7 +31,7 @@ void rtwVisit(LitSample s);
 // All samples of the work group's tile that the light reaches.
 void rtwVisitTile()
 {
-  ivec2 size = max(textureSize(rtwSamples, 0) / rtwStride, ivec2(1));
+  ivec2 size = rtwSquares(textureSize(rtwSamples, 0));
   ivec2 corner = ivec2(gl_WorkGroupID.xy) * TILE + ivec2(gl_LocalInvocationID.xy);
   for (int y = 0; y < TILE; y += 16)
   {

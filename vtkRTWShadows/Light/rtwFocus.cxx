@@ -8,6 +8,7 @@
 #include "rtwLightUniforms.h"
 #include "rtwLitSample.h"
 #include "rtwOpenGL.h"
+#include "rtwSamplePlace.h"
 #include "rtwViewSampleAccess.h"
 #include "rtwViewSampler.h"
 #include "rtwWarpFocus.h"
@@ -43,7 +44,7 @@ void SetWholeBounds(const Program& program, const LightFrame& frame)
 bool FocusStage::Build()
 {
   return this->Reduction.Build({ { GL_COMPUTE_SHADER,
-           { rtwViewSampleAccess, rtwLitSample, rtwBackwardSample, rtwFocusReduction } } }) &&
+           { rtwViewSampleAccess, rtwSamplePlace, rtwLitSample, rtwBackwardSample, rtwFocusReduction } } }) &&
     this->Writing.Build({ { GL_COMPUTE_SHADER, { rtwWarpFocus, rtwFocusWrite } } });
 }
 
@@ -73,14 +74,14 @@ void FocusStage::Reduce(const std::vector<LightFrame>& frames, const std::vector
   this->Bounds.BindStorage(0);
   this->Reduction.Use();
   samples.Bind(this->Reduction);
-  this->Reduction.Set("rtwReach", stride > 1 ? 0.5f * float(stride) : 0.f);
   this->Reduction.Set("rtwFilterWidth", float(filter.World));
   for (std::size_t layer = 0; layer < frames.size(); ++layer)
   {
     BindLight(this->Reduction, frames[layer], samples.GetView(), stride);
     SetWholeBounds(this->Reduction, frames[layer]);
     this->Reduction.Set("rtwLayer", static_cast<int>(layer));
-    Dispatch(Groups(samples.GetWidth() / stride, Tile), Groups(samples.GetHeight() / stride, Tile));
+    Dispatch(Groups(Groups(samples.GetWidth(), stride), Tile),
+      Groups(Groups(samples.GetHeight(), stride), Tile));
   }
   this->Writing.Use();
   table.Bind(this->Writing);

@@ -7,7 +7,6 @@ layout(std430, binding = 0) buffer Bounds
   uint rtwBounds[]; // a layer: low s, low t, high s, high t; in an order that unsigned numbers share
 };
 uniform int rtwLayer;
-uniform float rtwReach; // of a sample, to the farthest pixel that it speaks for, in footprints
 uniform float rtwFilterWidth; // how far in the world a filter looks around a receiver
 uniform vec4 rtwWholeBounds; // nothing outside the light's own bounds counts
 shared vec4 rtwPartial[256];
@@ -23,7 +22,7 @@ vec4 rtwSeen = vec4(1e30, 1e30, -1e30, -1e30); // by this invocation
 // It speaks for the pixels around it too.
 void rtwVisit(LitSample s)
 {
-  vec2 reach = rtwReach * s.footprint + rtwFilterWidth / s.w;
+  vec2 reach = s.reach + rtwFilterWidth / s.w;
   rtwSeen = vec4(min(rtwSeen.xy, s.onLight - reach), max(rtwSeen.zw, s.onLight + reach));
 }
 

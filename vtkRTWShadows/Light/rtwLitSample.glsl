@@ -10,6 +10,7 @@ struct LitSample
   vec2 onLight;
   float w;
   vec2 footprint; // of a pixel
+  vec2 reach;     // to the farthest of the pixels that it speaks for
   float area;     // of that
   float pixels;   // that it stands for
 };

@@ -23,6 +23,7 @@
 
 #include "vtkWeakPointer.h"
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <string>
@@ -144,9 +145,13 @@ private:
   bool NeedsViewSamples(const PipelineOptions& options) const;
   bool ResampleLastFrame(const PipelineOptions& options);
   /// Of the samples in use: resampling leaves out the others.
+  // At most of the samples that the focus looks at: one that misses nothing between sparse samples is
+  // much too wide in deep views.
+  static constexpr int FocusStride = 2;
   int GetStride(const PipelineOptions& options) const
   {
-    return this->Resampled ? 1 : options.ViewSampleStride;
+    const int kept = this->Resampled ? std::min(options.ViewSampleStride, FocusStride) : 1;
+    return options.ViewSampleStride / kept;
   }
 
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;

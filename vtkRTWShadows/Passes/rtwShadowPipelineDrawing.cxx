@@ -55,7 +55,8 @@ bool ShadowPipeline::ResampleLastFrame(const PipelineOptions& options)
     return false;
   }
   StageTimers::Scope timer(this->Timers, "resampling");
-  return this->Sampler.Resample(this->Last, options.ViewSampleStride);
+  return this->Sampler.Resample(
+    this->Last, std::min(options.ViewSampleStride, FocusStride));
 }
 
 void ShadowPipeline::CaptureFrame(const PipelineOptions& options)
@@ -83,7 +84,8 @@ void ShadowPipeline::FindFocus(const FrameScene& scene, const PipelineOptions& o
   if (options.FocusOnView && this->OwnDrawing)
   {
     StageTimers::Scope timer(this->Timers, "focus");
-    this->Focus.Reduce(frames, unsampled, this->Sampler, this->GetStride(options), reach, this->Table);
+    this->Focus.Reduce(frames, unsampled, this->Sampler,
+      this->Resampled ? 1 : std::min(options.ViewSampleStride, FocusStride), reach, this->Table);
   }
   else
   {

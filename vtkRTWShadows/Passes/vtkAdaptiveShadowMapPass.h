@@ -209,7 +209,10 @@ public:
 
   ///@{
   /**
-   * Every how many pixels, along both axes, the view is sampled for focus and importance. Clamped to 1 to 64. Default: 2.
+   * The side, in pixels, of a square of the view that gives one sample for the importance: another of its pixels from square
+   * to square, whose demand is spread over what the square covers on the light plane, so that few samples do as well as
+   * many. The focus has a sample of every square of 2 x 2 pixels at least, but for samples of the previous frame. Clamped to 1 to
+   * 64. Default: 2.
    */
   vtkSetClampMacro(ViewSampleStride, int, 1, 64);
   vtkGetMacro(ViewSampleStride, int);

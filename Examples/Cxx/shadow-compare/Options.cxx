@@ -125,6 +125,10 @@ std::vector<rtw::CommandLineOption> Entries(Options& options)
       [&](const std::string& value) {
         settings.Samples = Choose("--view-samples", value, SampleSourceNames());
       } },
+    { "--sample-stride", "N", "pixels a side of a square that gives a view sample, 1 to 64; default 2",
+      [&](const std::string& value) {
+        settings.SampleStride = ReadWhole("--sample-stride", value, 1, 64);
+      } },
     { "--depth-test", "T", "dual, receiver-plane or constant-bias",
       [&](const std::string& value) {
         settings.Test = Choose("--depth-test", value, DepthTestNames());
