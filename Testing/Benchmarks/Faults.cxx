@@ -44,6 +44,11 @@ public:
   bool Build() override { return this->Whole->Build(); }
   std::string GetLog() const override { return this->Whole->GetLog(); }
   int GetLightImageSize() const override { return this->Whole->GetLightImageSize(); }
+  void Follow(const rtw::WarpFrame& frame, const rtw::WarpTable& table) override
+  {
+    this->Whole->Follow(frame, table);
+  }
+  bool IsSettled() const override { return this->Whole->IsSettled(); }
   void Run(const std::vector<rtw::LightFrame>& frames, const rtw::AnalysisInput& input,
     const rtw::WarpTable& table) override
   {

@@ -137,6 +137,18 @@ void ConfigureImportance(vtkRectilinearShadowMapWarp* warp, const TechniqueSetti
   {
     warp->SetUserFunction(settings.UserFunction->c_str());
   }
+  if (settings.CullEmptyCells)
+  {
+    warp->SetCullEmptyCells(*settings.CullEmptyCells);
+  }
+  if (settings.TemporalBlending)
+  {
+    warp->SetTemporalBlending(*settings.TemporalBlending);
+  }
+  if (settings.Snapping)
+  {
+    warp->SetSnapping(*settings.Snapping);
+  }
 }
 
 AdaptiveTechnique::AdaptiveTechnique(

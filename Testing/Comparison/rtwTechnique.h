@@ -96,6 +96,9 @@ struct TechniqueSettings
   std::optional<int> LightImage;                 // texels a side
   std::optional<std::array<double, 4>> Interest; // a sphere's centre and radius
   std::optional<std::string> UserFunction;       // GLSL
+  std::optional<bool> CullEmptyCells;
+  std::optional<double> TemporalBlending;
+  std::optional<bool> Snapping;
   bool Stages = false;                           // whether to time the stages on the GPU
 };
 

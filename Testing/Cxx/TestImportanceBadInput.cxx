@@ -118,6 +118,8 @@ void TestBadValues()
   refused("InterestViewRadius");
   pass->SetInterestBonus(NotANumber);
   refused("InterestBonus");
+  pass->SetTemporalBlending(NotANumber);
+  refused("TemporalBlending");
   RTW_CHECK_EQUAL(pass->GetAnalysis(), int(Pass::BACKWARD));
   RTW_CHECK_EQUAL(pass->GetInterest(), int(Pass::VIEW));
   RTW_CHECK_EQUAL(pass->GetEdgeThreshold(), 0.001);
@@ -137,12 +139,22 @@ void TestBadValues()
   RTW_CHECK_EQUAL(pass->GetInterestViewRadius(), 10.0);
   pass->SetInterestBonus(-1);
   RTW_CHECK_EQUAL(pass->GetInterestBonus(), 0.0);
+  RTW_CHECK_EQUAL(pass->GetTemporalBlending(), 0.0);
+  pass->SetTemporalBlending(1);
+  RTW_CHECK_EQUAL(pass->GetTemporalBlending(), 0.99);
+  pass->SetTemporalBlending(-1);
+  RTW_CHECK_EQUAL(pass->GetTemporalBlending(), 0.0);
   RTW_CHECK_EQUAL(messages.GetNumberOfErrors(), expected);
+  RTW_CHECK(!pass->GetSnapping() && !pass->GetCullEmptyCells());
+  pass->SnappingOn();
+  pass->CullEmptyCellsOn();
+  RTW_CHECK(pass->GetSnapping() && pass->GetCullEmptyCells());
   std::ostringstream text;
   pass->GetRectilinearWarp()->Print(text);
   for (const char* name : { "Analysis: 1", "LightImageResolution: 8192", "EdgeThreshold: 0",
          "SurfaceNormalBonus: 1000", "Interest: 0", "InterestCentre: 0, 0, 0",
-         "InterestRadius: 1e-30", "InterestViewRadius: 10", "InterestBonus: 0", "UserFunction: " })
+         "InterestRadius: 1e-30", "InterestViewRadius: 10", "InterestBonus: 0",
+         "UserFunction: ", "TemporalBlending: 0", "Snapping: 1", "CullEmptyCells: 1" })
   {
     rtwCheck(text.str().find(name) != std::string::npos, __FILE__, __LINE__, name);
   }

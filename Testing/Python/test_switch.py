@@ -204,6 +204,22 @@ class TestSwitch(unittest.TestCase):
         darker = (without - plotter.picture()).max(axis=1) > 60
         self.assertTrue(0.005 < darker.mean() < 0.2)
 
+    def test_warping_maps(self):
+        plotter = Plotter()
+        without = plotter.picture()
+        shadows = rtwshadows.enable_shadows(
+            plotter, temporal_blending=0.5, snapping=True, cull_empty_cells=True)
+        self.assertEqual(shadows.GetTemporalBlending(), 0.5)
+        self.assertTrue(shadows.GetSnapping())
+        self.assertTrue(shadows.GetCullEmptyCells())
+        for _ in range(3):
+            darker = (without - plotter.picture()).max(axis=1) > 60
+            self.assertTrue(0.005 < darker.mean() < 0.2)
+        self.assertEqual(shadows.GetNumberOfLayersDrawn(), 1)
+        for _ in range(12):
+            plotter.picture()
+        self.assertEqual(shadows.GetNumberOfLayersDrawn(), 0)
+
     def test_errors_change_nothing(self):
         plotter = Plotter()
         rtwshadows.enable_shadows(plotter)

@@ -69,20 +69,20 @@ SceneCamera CameraOnPath(const Scene& scene, double t)
 }
 
 // A slow turn, so that moves are not along pixels. What is far moves by the camera's turning, what
-// is near by its position too, which moves as far as a tenth of a pixel is wide at ten times the
+// is near by its position too, which moves as far as that part of a pixel is wide at ten times the
 // nearest depth: about where the nearest things are.
-SceneCamera CameraOnTinyPath(const Scene& scene, int frame, double t)
+SceneCamera CameraOnTinyPath(const Scene& scene, int frame, double t, double pixels)
 {
   SceneCamera camera = CameraOnPath(scene, t);
   const dvec3 ahead = camera.Focal - camera.Position;
   const dvec3 right = glm::normalize(glm::cross(ahead, camera.Up));
   const dvec3 up = glm::normalize(glm::cross(right, ahead));
-  const double tenth = 0.1 * 2 * std::tan(glm::radians(camera.Angle / 2)) / double(scene.Size[1]);
+  const double step = pixels * 2 * std::tan(glm::radians(camera.Angle / 2)) / double(scene.Size[1]);
   dvec3 moved(0);
   for (int i = 0; i < frame; ++i)
   {
     const double heading = 0.5 + 0.05 * i;
-    moved += tenth * (std::cos(heading) * right + std::sin(heading) * up);
+    moved += step * (std::cos(heading) * right + std::sin(heading) * up);
   }
   camera.Position += moved * (10 * camera.Near);
   camera.Focal = camera.Position + ahead + moved * glm::length(ahead);

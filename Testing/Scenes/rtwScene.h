@@ -137,9 +137,9 @@ void Apply(const SceneLight& from, const Scene& scene, vtkLight* to);
 /// the scene's own camera.
 SceneCamera CameraOnPath(const Scene& scene, double t);
 
-/// The camera at `t` of the path after so many moves of about a tenth of a pixel each: small enough
+/// The camera at `t` of the path after so many moves of about so many pixels each: small enough
 /// that shadows which change from frame to frame more than the truth does are seen to flicker.
-SceneCamera CameraOnTinyPath(const Scene& scene, int frame, double t = 0);
+SceneCamera CameraOnTinyPath(const Scene& scene, int frame, double t = 0, double pixels = 0.1);
 
 /// To and fro: t = 0 and t = 1 are the scene's own light.
 SceneLight LightOnPath(const Scene& scene, double t);

@@ -18,8 +18,7 @@ public:
   void Capture(const View& view, std::uint64_t signature);
   void Forget() { this->Signature = 0; }
 
-  /// Whether it shows about what that view does: it is of the same size, and the camera has only
-  /// moved on. Lengths are beside the scene's diagonal.
+  /// Whether it shows about what that view does, as rtw::Resembles().
   bool Resembles(const View& view, double sceneSize) const;
   /// 0 if there is none.
   std::uint64_t GetSignature() const { return this->Signature; }

@@ -11,6 +11,32 @@
 
 namespace rtw
 {
+namespace
+{
+// What a margin of the focus makes up for.
+constexpr double FarthestMove = 0.01; // of the scene's diagonal
+constexpr double LargestTurn = 3;     // degrees
+constexpr double LargestZoom = 1.05;
+
+bool IsAbout(double a, double b)
+{
+  const double ratio = a / b;
+  return ratio <= LargestZoom && ratio >= 1 / LargestZoom;
+}
+}
+
+bool Resembles(const View& view, const View& other, double sceneSize)
+{
+  const double turn = std::cos(glm::radians(LargestTurn));
+  const glm::dvec3 up(view.ViewToWorld[1]), otherUp(other.ViewToWorld[1]);
+  return view.Parallel == other.Parallel && view.Width == other.Width &&
+    view.Height == other.Height && view.OriginX == other.OriginX && view.OriginY == other.OriginY &&
+    glm::distance(view.Eye, other.Eye) <= FarthestMove * sceneSize &&
+    glm::dot(view.Forward, other.Forward) >= turn && glm::dot(up, otherUp) >= turn &&
+    IsAbout(view.ViewToClip[0][0], other.ViewToClip[0][0]) &&
+    IsAbout(view.ViewToClip[1][1], other.ViewToClip[1][1]);
+}
+
 glm::dmat4 ToGlm(vtkMatrix4x4* matrix)
 {
   glm::dmat4 result;

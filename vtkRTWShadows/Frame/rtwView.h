@@ -27,6 +27,10 @@ struct View
   bool IsUsable() const; ///< false for an empty viewport or a camera that is not a number
 };
 
+/// Whether a view shows about what another did: it is of the same size and place, and the camera
+/// has only moved on. Lengths are beside the scene's diagonal.
+bool Resembles(const View& view, const View& other, double sceneSize);
+
 /// VTK's row-major matrix as GLM's.
 glm::dmat4 ToGlm(vtkMatrix4x4* matrix);
 /// Of the frame that a render state is for: in its framebuffer, where it has one.

@@ -3,7 +3,10 @@
 #ifndef rtwAnalysisInput_h
 #define rtwAnalysisInput_h
 
+#include "rtwLightFrame.h"
 #include "rtwView.h"
+
+#include <vector>
 
 namespace rtw
 {
@@ -21,6 +24,11 @@ struct AnalysisInput
   const Texture* LastMask =
     nullptr;     ///< of the last frame, a layer a light; none where there was none
   View LastView; ///< that mask's
+  bool AreAll = false; ///< whether no receiver in view is missing from samples and Unsampled
+  /// On each light plane, of other receivers and what a filter sees from there.
+  std::vector<Rectangle> Unsampled;
+  double FilterWorld = 0;  ///< how far a filter looks, in world units,
+  double FilterTexels = 0; ///< and on the map, a texel's neighbours aside
 };
 }
 

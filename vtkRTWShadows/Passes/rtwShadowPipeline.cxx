@@ -141,8 +141,9 @@ bool ShadowPipeline::Update(const View& view, const FrameScene& scene,
     this->Counted.LayersReused = static_cast<int>(this->Frames.size());
     return true;
   }
+  const bool still = signature == this->LastSignature;
   this->LastSignature = signature;
-  this->Draw(scene, lights, options, mappers);
+  this->Draw(scene, lights, options, mappers, still);
   this->Counted.LayersDrawn = static_cast<int>(this->Frames.size());
   return true;
 }

@@ -131,7 +131,7 @@ private:
   std::uint64_t Sign(const FrameScene& scene, const std::vector<ShadowLight>& lights,
     const PipelineOptions& options) const;
   void Draw(const FrameScene& scene, const std::vector<ShadowLight>& lights,
-    const PipelineOptions& options, const MapperDrawing& mappers);
+    const PipelineOptions& options, const MapperDrawing& mappers, bool still);
   void DrawViewSamples(StateGuard& guard, const std::function<void()>& mapperSamples);
   void DrawMask(const PipelineOptions& options);
   void CompleteViewSamples(const std::function<void()>& mapperSamples);
@@ -139,7 +139,8 @@ private:
   void FindFocus(const FrameScene& scene, const PipelineOptions& options);
   bool DrawLightImages(
     StateGuard& guard, const PipelineOptions& options, const MapperDrawing& mappers);
-  void RunWarp(const PipelineOptions& options, bool hasImages, const Texture* lastMask);
+  void RunWarp(const FrameScene& scene, const PipelineOptions& options, bool hasImages,
+    const Texture* lastMask);
   void DrawLayer(StateGuard& guard, int layer, const FrameScene& scene,
     const PipelineOptions& options, const MapperDrawing& mappers);
   bool NeedsViewSamples(const PipelineOptions& options) const;

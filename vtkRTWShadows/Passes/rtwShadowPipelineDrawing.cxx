@@ -132,20 +132,24 @@ bool ShadowPipeline::DrawLightImages(
 
 // From what was analysed to a filled warp table.
 void ShadowPipeline::RunWarp(
-  const PipelineOptions& options, bool hasImages, const Texture* lastMask)
+  const FrameScene& scene, const PipelineOptions& options, bool hasImages, const Texture* lastMask)
 {
   if (this->OwnDrawing)
   {
     StageTimers::Scope timer(this->Timers, "warp");
+    const LookupOptions& lookup = options.Lookup;
+    // What is shaded elsewhere than at samples of this frame might lie anywhere.
     this->Warp->Run(this->Frames,
       { this->Sampler, this->GetStride(options), this->SceneSize,
-        hasImages ? &this->Images.GetImages() : nullptr, lastMask, this->Masked },
+        hasImages ? &this->Images.GetImages() : nullptr, lastMask, this->Masked,
+        options.Masked && !this->Resampled, this->UnsampledReceivers(scene, lookup.FilterWorld),
+        lookup.FilterWorld, lookup.FilterTexels },
       this->Table);
   }
 }
 
 void ShadowPipeline::Draw(const FrameScene& scene, const std::vector<ShadowLight>& lights,
-  const PipelineOptions& options, const MapperDrawing& mappers)
+  const PipelineOptions& options, const MapperDrawing& mappers, bool still)
 {
   const int layers = static_cast<int>(lights.size());
   this->Timers.NextFrame();
@@ -177,8 +181,15 @@ void ShadowPipeline::Draw(const FrameScene& scene, const std::vector<ShadowLight
     this->DrawViewSamples(guard, scene.Props.empty() ? nullptr : mappers.ViewSamples);
   }
   this->FindFocus(scene, options);
+  if (this->OwnDrawing)
+  {
+    this->Warp->Follow({ this->Frames, this->Viewed, this->SceneSize, options.Signature, still,
+                         this->Settled, options.FocusOnView, this->OtherLayers },
+      this->Table);
+    this->Settled = this->Settled && this->Warp->IsSettled();
+  }
   const bool hasImages = this->DrawLightImages(guard, options, mappers);
-  this->RunWarp(options, hasImages, lastMask);
+  this->RunWarp(scene, options, hasImages, lastMask);
   for (int layer = 0; layer < layers; ++layer)
   {
     this->DrawLayer(guard, layer, scene, options, mappers);

@@ -64,6 +64,36 @@ double vtkRTWShadowMapPass::GetImportanceFloor()
   return this->Rectilinear->GetImportanceFloor();
 }
 
+void vtkRTWShadowMapPass::SetTemporalBlending(double share)
+{
+  this->Rectilinear->SetTemporalBlending(share);
+}
+
+double vtkRTWShadowMapPass::GetTemporalBlending()
+{
+  return this->Rectilinear->GetTemporalBlending();
+}
+
+void vtkRTWShadowMapPass::SetSnapping(bool snap)
+{
+  this->Rectilinear->SetSnapping(snap);
+}
+
+bool vtkRTWShadowMapPass::GetSnapping()
+{
+  return this->Rectilinear->GetSnapping();
+}
+
+void vtkRTWShadowMapPass::SetCullEmptyCells(bool cull)
+{
+  this->Rectilinear->SetCullEmptyCells(cull);
+}
+
+bool vtkRTWShadowMapPass::GetCullEmptyCells()
+{
+  return this->Rectilinear->GetCullEmptyCells();
+}
+
 void vtkRTWShadowMapPass::SetAnalysis(int analysis)
 {
   this->Rectilinear->SetAnalysis(analysis);

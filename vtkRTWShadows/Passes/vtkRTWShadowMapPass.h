@@ -72,6 +72,16 @@ public:
   double GetBlurSigma();
   void SetImportanceFloor(double share);
   double GetImportanceFloor();
+  void SetTemporalBlending(double share);
+  double GetTemporalBlending();
+  void SetSnapping(bool snap);
+  bool GetSnapping();
+  void SnappingOn() { this->SetSnapping(true); }
+  void SnappingOff() { this->SetSnapping(false); }
+  void SetCullEmptyCells(bool cull);
+  bool GetCullEmptyCells();
+  void CullEmptyCellsOn() { this->SetCullEmptyCells(true); }
+  void CullEmptyCellsOff() { this->SetCullEmptyCells(false); }
   void SetAnalysis(int analysis);
   void SetAnalysisToForward() { this->SetAnalysis(FORWARD); }
   void SetAnalysisToBackward() { this->SetAnalysis(BACKWARD); }

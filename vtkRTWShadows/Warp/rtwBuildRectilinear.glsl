@@ -34,7 +34,10 @@ uniform float rtwUnit; // of sums
 uniform int rtwProfiles; // 2: plain, and at shadow edges
 uniform float rtwSigma; // in cells
 uniform float rtwFloor; // a share of the mean
+uniform float rtwLeast; // share of the map that keeps sums strictly monotone
 uniform int rtwLevels;
+uniform int rtwCulling;   // whether cells that are not in use are left out
+uniform int rtwRemembers; // whether the last frame counts
 shared float rtwValues[MOST_CELLS + 1];
 shared float rtwSums[MOST_CELLS + 1];
 shared float rtwPartial[GROUP];
@@ -123,15 +126,20 @@ void blur(int cells)
   barrier();
 }
 
+void raise(int cells)
+{
+  float all = total(cells);
+  float least = max(rtwFloor / float(cells), rtwLeast) * all;
+  for (int i = me; i < cells; i += GROUP)
+  {
+    rtwValues[i] = all > 0.0 ? max(rtwValues[i], least) : 1.0;
+  }
+  barrier();
+}
+
 // rtwSums[i] becomes the normalized sum of the values before i.
 void sumUp(int cells)
 {
-  float mean = total(cells) / float(cells);
-  for (int i = me; i < cells; i += GROUP)
-  {
-    rtwValues[i] = mean > 0.0 ? max(rtwValues[i], rtwFloor * mean) : 1.0;
-  }
-  barrier();
   float all = total(cells);
   int each = (cells + GROUP - 1) / GROUP;
   float mine = 0.0;
@@ -211,12 +219,30 @@ void writeSlopes(int cells)
   }
 }
 
+// What the files do that follow.
+void blendWithLast(int cells);
+void cull(int cells);
+void snapToLast(int cells);
+
 void main()
 {
   int cells = rtwWarpSize.x;
   load(cells);
   blur(cells);
+  raise(cells);
   sumUp(cells);
+  if (rtwRemembers != 0)
+  {
+    blendWithLast(cells);
+  }
+  if (rtwCulling != 0)
+  {
+    cull(cells);
+  }
+  if (rtwRemembers != 0)
+  {
+    snapToLast(cells);
+  }
   for (int i = me; i < cells; i += GROUP)
   {
     rtwTable[rtwWarpPlace(4 * layer + axis, i)] = vec2(rtwSums[i], rtwSums[i + 1]);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -31,18 +32,34 @@ std::vector<double> Blur(const std::vector<double>& values, double sigma)
 }
 }
 
-WarpingFunction WarpingFunction::FromImportance(
-  std::vector<double> importance, double sigma, double floor)
+int FramesToSettle(double blending, int resolution)
+{
+  return blending > 0
+    ? static_cast<int>(std::ceil(std::log(0.25 / resolution) / std::log(blending)))
+    : 1;
+}
+
+WarpingFunction WarpingFunction::FromImportance(std::vector<double> importance, double sigma,
+  double floor, const std::vector<bool>& used, double reach)
 {
   importance = Blur(importance, sigma);
   const double total = std::accumulate(importance.begin(), importance.end(), 0.0);
+  const double least = std::max(floor / static_cast<double>(importance.size()), LeastShare) * total;
+  for (double& value : importance)
+  {
+    value = total > 0 && std::isfinite(total) ? std::max(value, least) : 1.0;
+  }
+  return FromWidths(importance).Culled(used, sigma, reach);
+}
+
+// Summed up and normalized.
+WarpingFunction WarpingFunction::FromWidths(const std::vector<double>& widths)
+{
   WarpingFunction function;
   function.Values.assign(1, 0.0);
-  const double least = floor * total / static_cast<double>(importance.size());
-  for (const double value : importance)
+  for (const double width : widths)
   {
-    const double kept = total > 0 && std::isfinite(total) ? std::max(value, least) : 1.0;
-    function.Values.push_back(function.Values.back() + kept);
+    function.Values.push_back(function.Values.back() + width);
   }
   const double sum = function.Values.back();
   for (double& value : function.Values)
@@ -50,6 +67,95 @@ WarpingFunction WarpingFunction::FromImportance(
     value /= sum;
   }
   return function;
+}
+
+double WarpingFunction::WidthOf(int cell) const
+{
+  return this->Values[cell + 1] - this->Values[cell];
+}
+
+// Whether a cell is one of those in use, or near to one.
+bool WarpingFunction::IsNeeded(
+  int cell, const std::vector<bool>& used, int radius, double reach) const
+{
+  const int cells = this->GetCells(), parts = static_cast<int>(used.size());
+  for (int part = 0; part < parts; ++part)
+  {
+    const int start = part * cells / parts, end = ((part + 1) * cells + parts - 1) / parts;
+    const int away = std::max(cell - end, start - cell - 1);
+    const double onMap = cell >= end ? this->Values[cell] - this->Values[end]
+      : cell < start                 ? this->Values[start] - this->Values[cell + 1]
+                                     : 0.0;
+    if (used[part] && (away < radius || onMap < reach))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+WarpingFunction WarpingFunction::Culled(
+  const std::vector<bool>& used, double sigma, double reach) const
+{
+  if (std::find(used.begin(), used.end(), true) == used.end())
+  {
+    return *this;
+  }
+  const int radius = static_cast<int>(std::ceil(3 * sigma));
+  std::vector<double> widths;
+  for (int cell = 0; cell < this->GetCells(); ++cell)
+  {
+    const bool needed = this->IsNeeded(cell, used, radius, reach);
+    widths.push_back(needed ? std::max(this->WidthOf(cell), LeastShare) : 0.0);
+  }
+  const double least = LeastShare * std::accumulate(widths.begin(), widths.end(), 0.0);
+  for (double& width : widths)
+  {
+    width = std::max(width, least);
+  }
+  return FromWidths(widths);
+}
+
+WarpingFunction WarpingFunction::BlendedWith(
+  const WarpingFunction& last, double from, double to, double share) const
+{
+  const int cells = this->GetCells();
+  const auto border = [&](int i) { return last.Forward(from + (to - from) * i / cells); };
+  std::vector<double> widths;
+  for (int cell = 0; cell < cells; ++cell)
+  {
+    const double was = (border(cell + 1) - border(cell)) / (border(cells) - border(0));
+    widths.push_back(std::max((1 - share) * this->WidthOf(cell) + share * was, LeastShare));
+  }
+  return FromWidths(widths);
+}
+
+double WarpingFunction::ExcessOver(const WarpingFunction& best) const
+{
+  double error = 0;
+  for (int cell = 0; cell < this->GetCells(); ++cell)
+  {
+    const double wanted = best.WidthOf(cell), given = this->WidthOf(cell);
+    const bool isCulled = given < 2 * LeastShare && wanted >= 2 * LeastShare;
+    error += isCulled ? std::numeric_limits<double>::infinity() : wanted * wanted / given;
+  }
+  return error - 1;
+}
+
+WarpingFunction WarpingFunction::SnappedTo(const WarpingFunction& last) const
+{
+  return last.ExcessOver(*this) <= SnappingMostExcess ? last : *this;
+}
+
+glm::dvec2 SnappedEnds(const glm::dvec2& needed, const glm::dvec2* last)
+{
+  const double extent = needed.y - needed.x;
+  if (!last || extent < SnappingLeastShare * (last->y - last->x))
+  {
+    return { needed.x - SnappingMargin * extent, needed.y + SnappingMargin * extent };
+  }
+  return { needed.x < last->x ? needed.x - SnappingGrowth * extent : last->x,
+    needed.y > last->y ? needed.y + SnappingGrowth * extent : last->y };
 }
 
 WarpingFunction WarpingFunction::FromValues(std::vector<double> values)

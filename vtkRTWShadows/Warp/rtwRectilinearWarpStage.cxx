@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rtwRectilinearWarpStage.h"
 
+#include "rtwAnalysisInput.h"
 #include "rtwBendRectilinear.h"
 #include "rtwBuildRectilinear.h"
+#include "rtwCullCells.h"
 #include "rtwDrawing.h"
+#include "rtwFollowWarp.h"
+#include "rtwLastWarp.h"
 #include "rtwOpenGL.h"
+#include "rtwRectilinearWarp.h"
 #include "rtwSlopeRectilinear.h"
+#include "rtwSnapFocus.h"
+#include "rtwUsedGrid.h"
 #include "rtwWarpFocus.h"
+#include "rtwWarpHistory.h"
 #include "rtwWarpRectilinear.h"
 #include "rtwWarpTable.h"
 
@@ -35,12 +43,40 @@ int RectilinearWarpStage::GetLightImageSize() const
 bool RectilinearWarpStage::Build()
 {
   return this->Importance.Build() &&
-    this->Building.Build({ { GL_COMPUTE_SHADER, { rtwWarpFocus, rtwBuildRectilinear } } });
+    this->Building.Build({ { GL_COMPUTE_SHADER,
+      { rtwWarpFocus, rtwLastWarp, rtwUsedGrid, rtwBuildRectilinear, rtwFollowWarp,
+        rtwCullCells } } }) &&
+    this->InUse.Build() &&
+    this->FocusSnapping.Build(
+      { { GL_COMPUTE_SHADER, { rtwWarpFocus, rtwLastWarp, rtwSnapFocus } } });
 }
 
 std::string RectilinearWarpStage::GetLog() const
 {
-  return this->Importance.GetLog() + this->Building.GetLog();
+  return this->Importance.GetLog() + this->Building.GetLog() + this->FocusSnapping.GetLog() +
+    this->InUse.GetLog();
+}
+
+void RectilinearWarpStage::Follow(const WarpFrame& frame, const WarpTable& table)
+{
+  const RectilinearSettings settings = this->Settings();
+  this->Settled = true;
+  if (!settings.Remembers())
+  {
+    return;
+  }
+  this->History.Follow(frame, table.GetCells());
+  this->Settled =
+    this->History.GetStillFrames() >= FramesToSettle(settings.Blending, table.GetResolution());
+  this->FocusSnapping.Use();
+  table.Bind(this->FocusSnapping);
+  this->History.BindStorage();
+  table.GetValues().BindStorage(2);
+  this->FocusSnapping.Set("rtwOtherLayers", frame.OtherLayers);
+  this->FocusSnapping.Set("rtwMargin", frame.Focused ? float(SnappingMargin) : 0.f);
+  this->FocusSnapping.Set("rtwGrowth", frame.Focused ? float(SnappingGrowth) : 0.f);
+  this->FocusSnapping.Set("rtwLeastShare", float(SnappingLeastShare));
+  Dispatch(static_cast<int>(frame.Frames.size()));
 }
 
 void RectilinearWarpStage::Run(
@@ -48,6 +84,11 @@ void RectilinearWarpStage::Run(
 {
   const RectilinearSettings settings = this->Settings();
   this->Importance.Analyse(frames, settings.Importance, input, table);
+  const bool cullsCells = settings.CullsCells && input.AreAll;
+  if (cullsCells)
+  {
+    this->InUse.Find(frames, input, table);
+  }
   this->Report.Reserve(frames.size() * 2 * 2 * sizeof(float));
   this->Cells = table.GetCells();
   this->Layers = static_cast<int>(frames.size());
@@ -65,6 +106,22 @@ void RectilinearWarpStage::Run(
   this->Building.Set("rtwSigma", static_cast<float>(settings.Sigma));
   this->Building.Set("rtwFloor", static_cast<float>(settings.Floor));
   this->Building.Set("rtwLevels", table.GetBendLevels());
+  this->Building.Set("rtwLeast", static_cast<float>(LeastShare));
+  this->Building.Set("rtwCulling", cullsCells ? 1 : 0);
+  if (cullsCells)
+  {
+    this->InUse.BindBits();
+    this->Building.Set("rtwReach",
+      static_cast<float>((input.FilterTexels + NeighbourReach) / table.GetResolution()));
+  }
+  this->Building.Set("rtwRemembers", settings.Remembers() ? 1 : 0);
+  if (settings.Remembers())
+  {
+    this->History.BindStorage();
+    this->Building.Set("rtwSnapping", settings.Snapping ? 1 : 0);
+    this->Building.Set("rtwBlending", static_cast<float>(settings.Blending));
+    this->Building.Set("rtwMostExcess", static_cast<float>(SnappingMostExcess));
+  }
   Dispatch(2, static_cast<int>(frames.size()));
 }
 
@@ -95,6 +152,9 @@ void RectilinearWarpStage::Release()
 {
   this->Importance.Release();
   this->Building.Release();
+  this->FocusSnapping.Release();
+  this->History.Release();
+  this->InUse.Release();
   this->Report.Release();
   this->Profiles.Release();
   this->Layers = 0;
@@ -104,6 +164,9 @@ void RectilinearWarpStage::Abandon()
 {
   this->Importance.Abandon();
   this->Building.Abandon();
+  this->FocusSnapping.Abandon();
+  this->History.Abandon();
+  this->InUse.Abandon();
   this->Report.Abandon();
   this->Profiles.Abandon();
   this->Layers = 0;

@@ -6,6 +6,8 @@
 #include "rtwBuffer.h"
 #include "rtwImportanceStage.h"
 #include "rtwProgram.h"
+#include "rtwUsedCells.h"
+#include "rtwWarpHistory.h"
 #include "rtwWarpStage.h"
 
 #include <functional>
@@ -19,6 +21,11 @@ struct RectilinearSettings
   int Cells = 512;
   double Sigma = 3;    ///< of the blur, in cells
   double Floor = 0.01; ///< least importance, as a share of the mean
+  double Blending = 0; ///< share of the last frame's function
+  bool Snapping = false;
+  bool CullsCells = false;
+
+  bool Remembers() const { return this->Blending > 0 || this->Snapping; }
 };
 
 class RectilinearWarpStage : public WarpStage
@@ -31,6 +38,8 @@ public:
   bool NeedsViewSamples() const override { return true; }
   int GetCells() const override { return this->Settings().Cells; }
   int GetLightImageSize() const override;
+  void Follow(const WarpFrame& frame, const WarpTable& table) override;
+  bool IsSettled() const override { return this->Settled; }
   bool Build() override;
   std::string GetLog() const override;
   void Run(const std::vector<LightFrame>& frames, const AnalysisInput& input,
@@ -43,10 +52,13 @@ public:
 private:
   std::function<RectilinearSettings()> Settings;
   ImportanceStage Importance;
-  Program Building;
+  Program Building, FocusSnapping;
   Buffer Report, Profiles;
   int Cells = 0; ///< of the profiles
   int Layers = 0;
+  WarpHistory History;
+  UsedCells InUse;
+  bool Settled = true;
 };
 }
 

@@ -10,6 +10,7 @@
 
 #include <glm/glm.hpp>
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,7 @@ namespace rtw
 {
 class WarpTable;
 struct AnalysisInput;
+struct View;
 
 struct WarpShape
 {
@@ -24,6 +26,19 @@ struct WarpShape
   const char* Function; ///< defines rtwWarp and rtwTexelCentres
   const char* Bend;     ///< defines rtwBend, rtwShift and rtwBendOfPieces
   const char* Slope;    ///< defines rtwWarpSlope
+};
+
+/// What a warp that remembers the last frame needs to know of this one.
+struct WarpFrame
+{
+  const std::vector<LightFrame>& Frames;
+  const View& Viewed;
+  double SceneSize;       ///< its diagonal
+  std::uint64_t Settings; ///< another number where anything is set otherwise
+  bool Still;             ///< the last frame was the same
+  bool Current;           ///< the view samples are of this frame, not of one before
+  bool Focused;           ///< on what the camera sees
+  int OtherLayers;        ///< how far behind a layer the one is that shares its focus; 0 if none is
 };
 
 class WarpStage
@@ -38,6 +53,10 @@ public:
   /// Compiles; false, with the reason in GetLog(), where the driver can't.
   virtual bool Build() = 0;
   virtual std::string GetLog() const = 0;
+  /// Starts a frame, whose focus is in the table; may let it cover more.
+  virtual void Follow(const WarpFrame&, const WarpTable&) {}
+  /// Whether another frame that is the same would get the same table.
+  virtual bool IsSettled() const { return true; }
   /// Fills the table of every layer; its focus is there already.
   virtual void Run(
     const std::vector<LightFrame>& frames, const AnalysisInput& input, const WarpTable& table) = 0;

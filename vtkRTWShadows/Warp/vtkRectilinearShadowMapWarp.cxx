@@ -157,6 +157,11 @@ void vtkRectilinearShadowMapWarp::SetImportanceFloor(double share)
   this->SetFinite(this->ImportanceFloor, share, 0.0001, 1, "ImportanceFloor");
 }
 
+void vtkRectilinearShadowMapWarp::SetTemporalBlending(double share)
+{
+  this->SetFinite(this->TemporalBlending, share, 0, 0.99, "TemporalBlending");
+}
+
 void vtkRectilinearShadowMapWarp::SetEdgeThreshold(double share)
 {
   this->SetFinite(this->EdgeThreshold, share, 0, 1, "EdgeThreshold");
@@ -200,6 +205,9 @@ std::unique_ptr<rtw::WarpStage> vtkRectilinearShadowMapWarp::MakeStage()
     s.Cells = this->ImportanceResolution;
     s.Sigma = this->BlurSigma;
     s.Floor = this->ImportanceFloor;
+    s.Blending = this->TemporalBlending;
+    s.Snapping = this->Snapping;
+    s.CullsCells = this->CullEmptyCells;
     return s;
   };
   return std::make_unique<rtw::RectilinearWarpStage>(
@@ -224,4 +232,7 @@ void vtkRectilinearShadowMapWarp::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ImportanceResolution: " << this->ImportanceResolution << "\n";
   os << indent << "BlurSigma: " << this->BlurSigma << "\n";
   os << indent << "ImportanceFloor: " << this->ImportanceFloor << "\n";
+  os << indent << "TemporalBlending: " << this->TemporalBlending << "\n";
+  os << indent << "Snapping: " << this->Snapping << "\n";
+  os << indent << "CullEmptyCells: " << this->CullEmptyCells << "\n";
 }

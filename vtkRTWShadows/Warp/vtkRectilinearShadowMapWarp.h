@@ -223,6 +223,50 @@ public:
   vtkGetMacro(ImportanceFloor, double);
   ///@}
 
+  ///@{
+  /**
+   * Whether columns and rows in which the camera sees nothing get no more of the map than keeps the
+   * warp invertible in single precision, a millionth, instead of the ImportanceFloor. Columns and
+   * rows as near to what is seen as the blur and the filter reach are spared. All are, where
+   * receivers may be seen that no view sample is of: with multisampling, and with view samples of
+   * the previous frame. It counts with a high ImportanceFloor; with the default one it is a
+   * hundredth of the map at most. Default: off.
+   */
+  vtkSetMacro(CullEmptyCells, bool);
+  vtkGetMacro(CullEmptyCells, bool);
+  vtkBooleanMacro(CullEmptyCells, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The share of the last frame's warping functions that is kept, so that they change slowly. The
+   * focus stays as with Snapping: in a deep view it is several times larger in one frame than in
+   * the next. A frame starts anew after a cut (a turn of more than 3 degrees, a move of more than a
+   * hundredth of the scene's diagonal, a zoom by more than a twentieth), in a window of another
+   * size, when the light has moved, with another number of lights, and when anything has been set
+   * otherwise. In a still view maps are drawn until the functions are within a quarter of a texel
+   * of what the view wants, 12 frames at 0.5 and 1024 texels. Texels crawl less, but do crawl;
+   * Snapping keeps them in place. Clamped to 0 to 0.99; 0 is none. A value that is not a number is
+   * refused with an error. Default: 0.
+   */
+  virtual void SetTemporalBlending(double share);
+  vtkGetMacro(TemporalBlending, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether texels stay where they are in the world while the camera moves by a little, so that
+   * shadow edges don't crawl: the focus and the warping functions of the last frame are kept as
+   * long as the focus holds what is seen, and the error that the function predicts (as that of
+   * SQRT_DEMAND) is at most a tenth above the least. A focus that changes gets some room to spare.
+   * With TemporalBlending, it is the blended functions that are kept. A frame starts anew as it
+   * does there. Default: off.
+   */
+  vtkSetMacro(Snapping, bool);
+  vtkGetMacro(Snapping, bool);
+  vtkBooleanMacro(Snapping, bool);
+  ///@}
+
 #ifndef __VTK_WRAP__
   std::unique_ptr<rtw::WarpStage> MakeStage() override;
 #endif
@@ -245,6 +289,9 @@ protected:
   int ImportanceResolution = 512;
   double BlurSigma = 3;
   double ImportanceFloor = 0.01;
+  double TemporalBlending = 0;
+  bool Snapping = false;
+  bool CullEmptyCells = false;
 
 private:
   vtkRectilinearShadowMapWarp(const vtkRectilinearShadowMapWarp&) = delete;

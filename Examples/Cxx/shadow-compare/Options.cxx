@@ -160,6 +160,20 @@ std::vector<rtw::CommandLineOption> Entries(Options& options)
       [&](const std::string& value) { ReadInterest(value, settings); } },
     { "--user-function", "GLSL", "the user's own importance function",
       [&](const std::string& value) { settings.UserFunction = value; } },
+    { "--cull-empty-cells", "on|off",
+      "whether rtw gives columns and rows in which nothing is seen next to no texels",
+      [&](const std::string& value) {
+        settings.CullEmptyCells =
+          Choose<bool>("--cull-empty-cells", value, { { "on", true }, { "off", false } });
+      } },
+    { "--blending", "B", "share of the last frame's warping functions that rtw keeps, 0 to 0.99",
+      [&](const std::string& value) {
+        settings.TemporalBlending = ReadNumber("--blending", value, 0, 0.99);
+      } },
+    { "--snapping", "on|off", "whether rtw keeps texels in place while the camera moves a little",
+      [&](const std::string& value) {
+        settings.Snapping = Choose<bool>("--snapping", value, { { "on", true }, { "off", false } });
+      } },
     { "--stages", "", "print the milliseconds of each stage on the GPU",
       [&](const std::string&) { settings.Stages = true; } },
     { "--out", "DIR", "write pictures, masks and differences there",
