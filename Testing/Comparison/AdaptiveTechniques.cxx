@@ -52,6 +52,7 @@ static_assert(
     1 << static_cast<int>(Importance::SQRT_DEMAND) == vtkRTWShadowMapPass::SQRT_DEMAND &&
     static_cast<int>(Analysis::HYBRID) == vtkRTWShadowMapPass::HYBRID &&
     static_cast<int>(Rasterization::AUTOMATIC) == vtkRTWShadowMapPass::AUTOMATIC &&
+    static_cast<int>(LightPlaneTurn::AUTOMATIC) == vtkRTWShadowMapPass::TURN_AUTOMATIC &&
     static_cast<int>(SampleSource::PREVIOUS_FRAME) == vtkRTWShadowMapPass::PREVIOUS_FRAME &&
     static_cast<int>(DebugPicture::LAYERS) == vtkRTWShadowMapPass::LAYERS,
   "one order");
@@ -65,6 +66,10 @@ void ConfigureDrawing(vtkAdaptiveShadowMapPass* pass, const TechniqueSettings& s
   if (settings.EdgeLength)
   {
     pass->SetMaximumEdgeLength(*settings.EdgeLength);
+  }
+  if (settings.Turn)
+  {
+    pass->SetLightPlaneTurn(static_cast<int>(*settings.Turn));
   }
   if (settings.SampleStride)
   {

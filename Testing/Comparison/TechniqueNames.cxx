@@ -27,6 +27,13 @@ const Names<SampleSource>& SampleSourceNames()
   return names;
 }
 
+const Names<LightPlaneTurn>& LightPlaneTurnNames()
+{
+  static const Names<LightPlaneTurn> names = { { "off", LightPlaneTurn::OFF },
+    { "view-aligned", LightPlaneTurn::VIEW_ALIGNED }, { "automatic", LightPlaneTurn::AUTOMATIC } };
+  return names;
+}
+
 const Names<DepthTest>& DepthTestNames()
 {
   static const Names<DepthTest> names = { { "dual", DepthTest::DUAL },

@@ -24,6 +24,7 @@ public:
   std::vector<unsigned char> MakeMask() override;
   TexelFunction GetTexels() override;
   bool SetDebugPicture(DebugPicture picture) override;
+  double GetPredictedError() override { return this->Shadows->GetPredictedError(0); }
   int64_t GetMemory() override { return this->Shadows->GetShadowMemory(); }
   std::vector<Stage> GetStages() override;
   void ReleaseGraphicsResources(vtkWindow* window) override;

@@ -60,6 +60,13 @@ enum class Rasterization
   AUTOMATIC
 };
 
+enum class LightPlaneTurn
+{
+  OFF,
+  VIEW_ALIGNED,
+  AUTOMATIC
+};
+
 enum class SampleSource
 {
   PREPASS,
@@ -86,6 +93,7 @@ struct TechniqueSettings
   std::optional<double> EdgeLength; // of tessellated triangles at most, of the map's side
   std::optional<SampleSource> Samples;
   std::optional<int> SampleStride;
+  std::optional<LightPlaneTurn> Turn;
   std::optional<double> FilterRadius; // texels of PCF, world units of SOFT
   std::optional<bool> FilterJitter;
   std::optional<DepthTest> Test;
@@ -135,6 +143,10 @@ public:
 
   /// What frames from now on show of the first light's map. False if there is no such picture.
   virtual bool SetDebugPicture(DebugPicture) { return false; }
+
+  /// The share of pixels that it says are wrong for the first light, in the last frame; negative if
+  /// it doesn't know.
+  virtual double GetPredictedError() { return -1; }
 
   /// Bytes of the shadow maps and what comes with them.
   virtual int64_t GetMemory() = 0;

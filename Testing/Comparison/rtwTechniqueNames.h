@@ -17,6 +17,7 @@ using Names = std::vector<std::pair<std::string, Value>>;
 const Names<Filter>& FilterNames();
 const Names<Rasterization>& RasterizationNames();
 const Names<SampleSource>& SampleSourceNames();
+const Names<LightPlaneTurn>& LightPlaneTurnNames();
 const Names<DepthTest>& DepthTestNames();
 const Names<Analysis>& AnalysisNames();
 const Names<Importance>& ImportanceNames();

@@ -1,25 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rtwSceneStage.h"
 
-#include "rtwScene.h"
-
 #include "vtkAdaptiveShadowMapPass.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkShadowRenderStepsPass.h"
 
 rtwSceneStage::rtwSceneStage(const std::string& scene)
-  : Name(scene)
+  : rtwSceneStage(rtw::MakeScene(scene))
+{
+}
+
+rtwSceneStage::rtwSceneStage(const rtw::Scene& scene)
+  : Name(scene.Name)
 {
   this->Window->SetSize(1024, 1024);
   this->Window->SetMultiSamples(0);
   this->Window->AddRenderer(this->Renderer);
-  rtw::AddToRenderer(rtw::MakeScene(scene), this->Renderer);
+  rtw::AddToRenderer(scene, this->Renderer);
   auto* light = vtkLight::SafeDownCast(this->Renderer->GetLights()->GetItemAsObject(0));
   this->Truth = rtw::ShadowReference(this->Renderer).Trace(light, 1024, 1024);
 }
 
-rtw::ShadowErrors rtwSceneStage::Measure(vtkAdaptiveShadowMapPass* pass, int frames)
+rtw::ShadowErrors rtwSceneStage::Measure(
+  vtkAdaptiveShadowMapPass* pass, int frames, double* predicted)
 {
   vtkNew<vtkShadowRenderStepsPass> steps;
   steps->SetShadowMapPass(pass);
@@ -31,6 +35,10 @@ rtw::ShadowErrors rtwSceneStage::Measure(vtkAdaptiveShadowMapPass* pass, int fra
     this->Window->Render();
   }
   const rtw::ShadowErrors errors = rtw::Compare(rtw::MaskOf(pass->GetShadowMask(0)), this->Truth);
+  if (predicted)
+  {
+    *predicted = pass->GetPredictedError(0);
+  }
   pass->SetCaching(caching);
   steps->ReleaseGraphicsResources(this->Window);
   this->Renderer->SetPass(nullptr);

@@ -6,6 +6,7 @@
 
 #include "rtwCompare.h"
 #include "rtwReference.h"
+#include "rtwScene.h"
 
 #include "vtkNew.h"
 #include "vtkRenderer.h"
@@ -20,9 +21,11 @@ class rtwSceneStage
 public:
   /// 1024 × 1024 pixels.
   explicit rtwSceneStage(const std::string& scene);
+  explicit rtwSceneStage(const rtw::Scene& scene);
 
-  /// Of the last of so many frames, each made anew.
-  rtw::ShadowErrors Measure(vtkAdaptiveShadowMapPass* pass, int frames = 1);
+  /// Of the last of so many frames, each made anew; and what the pass itself says of it.
+  rtw::ShadowErrors Measure(
+    vtkAdaptiveShadowMapPass* pass, int frames = 1, double* predicted = nullptr);
 
   vtkNew<vtkRenderWindow> Window;
   vtkNew<vtkRenderer> Renderer;

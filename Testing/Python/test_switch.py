@@ -186,6 +186,22 @@ class TestSwitch(unittest.TestCase):
         self.assertIsNone(shadows.GetImportanceImage(0, 1))
         self.assertIsNone(shadows.GetAliasingErrorImage(-1))
 
+    def test_light_plane(self):
+        plotter = Plotter()
+        shadows = rtwshadows.enable_shadows(plotter, resolution=64)
+        self.assertEqual(shadows.GetPredictedError(0), -1)
+        self.assertEqual(shadows.GetLightPlaneTurn(), shadows.TURN_OFF)
+        plotter.picture()
+        coarse = shadows.GetPredictedError(0)
+        for word in ("view_aligned", "automatic", "off"):
+            shadows = rtwshadows.enable_shadows(plotter, resolution=128, light_plane_turn=word)
+            self.assertEqual(shadows.GetLightPlaneTurn(), getattr(shadows, f"TURN_{word.upper()}"))
+            plotter.picture()
+            self.assertGreater(coarse, 1.3 * shadows.GetPredictedError(0))
+            self.assertGreater(shadows.GetPredictedError(0), 0)
+        with self.assertRaisesRegex(ValueError, "light_plane_turn='left'.*automatic, off, view"):
+            rtwshadows.enable_shadows(plotter, light_plane_turn="left")
+
     def test_importance(self):
         plotter = Plotter()
         without = plotter.picture()

@@ -13,6 +13,9 @@ namespace
 constexpr double WidestCone = 89.0;
 // Of a spot's reach: casters nearer to it than that share one depth.
 constexpr double NearestShare = 1e-3;
+// Half a degree between view and light: any less, and a slight move of the camera would turn the
+// light plane far.
+constexpr double LeastShownAlong = 0.01;
 
 void SetRow(glm::dmat4& matrix, int row, const glm::dvec3& axis, double offset)
 {
@@ -21,6 +24,19 @@ void SetRow(glm::dmat4& matrix, int row, const glm::dvec3& axis, double offset)
     matrix[column][row] = axis[column];
   }
   matrix[3][row] = offset;
+}
+
+// As the axes lie by themselves.
+struct Basis
+{
+  glm::dvec3 S, T;
+};
+
+Basis BasisOf(const glm::dvec3& direction)
+{
+  const glm::dvec3 across = std::abs(direction.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
+  const glm::dvec3 s = glm::normalize(glm::cross(across, direction));
+  return { s, glm::cross(direction, s) };
 }
 
 void FitDirectional(LightFrame& frame, const ExtentFunction& extent, const glm::dvec3& eye)
@@ -116,14 +132,13 @@ glm::dvec3 LightFrame::Project(const glm::dvec3& world) const
 }
 
 LightFrame MakeLightFrame(
-  const ShadowLight& light, const ExtentFunction& extent, const glm::dvec3& eye)
+  const ShadowLight& light, const ExtentFunction& extent, const glm::dvec3& eye, double turn)
 {
   LightFrame frame;
   frame.Light = light;
-  const glm::dvec3 across =
-    std::abs(light.Direction.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
-  frame.SAxis = glm::normalize(glm::cross(across, light.Direction));
-  frame.TAxis = glm::cross(light.Direction, frame.SAxis);
+  const Basis basis = BasisOf(light.Direction);
+  frame.SAxis = std::cos(turn) * basis.S + std::sin(turn) * basis.T;
+  frame.TAxis = std::cos(turn) * basis.T - std::sin(turn) * basis.S;
   if (light.Kind == LightKind::Directional)
   {
     FitDirectional(frame, extent, eye);
@@ -133,5 +148,46 @@ LightFrame MakeLightFrame(
     FitSpot(frame, extent, eye);
   }
   return frame;
+}
+
+LightFrame Turned(const LightFrame& frame, double by)
+{
+  const double c = std::cos(by), s = std::sin(by);
+  const auto turn = [c, s](const glm::dvec2& v) {
+    return glm::dvec2(c * v.x + s * v.y, c * v.y - s * v.x);
+  };
+  LightFrame turned = frame;
+  turned.SAxis = c * frame.SAxis + s * frame.TAxis;
+  turned.TAxis = c * frame.TAxis - s * frame.SAxis;
+  for (int column = 0; column < 4; ++column)
+  {
+    const glm::dvec2 rows = turn(glm::dvec2(frame.WorldToLight[column]));
+    turned.WorldToLight[column].x = rows.x;
+    turned.WorldToLight[column].y = rows.y;
+  }
+  const bool isSpot = frame.Light.Kind == LightKind::Spot;
+  const glm::dvec2 middle = turn(0.5 * (frame.Bounds.Low + frame.Bounds.High));
+  const double half =
+    0.5 * (frame.Bounds.High.x - frame.Bounds.Low.x) * (isSpot ? 1.0 : std::abs(c) + std::abs(s));
+  turned.Bounds = { middle - half, middle + half };
+  turned.ConeCentre = turn(frame.ConeCentre);
+  return turned;
+}
+
+double ViewAlignedTurn(const ShadowLight& light, const glm::dvec3& eye, const glm::dvec3& forward)
+{
+  const auto [s, t] = BasisOf(light.Direction);
+  glm::dvec2 along(glm::dot(forward, s), glm::dot(forward, t));
+  double length = 1;
+  if (light.Kind == LightKind::Spot)
+  {
+    // Of the eye's image, (l · w) / w, as it goes forward; times the square of w.
+    const glm::dvec3 toEye = eye - light.Position;
+    along = along * glm::dot(toEye, light.Direction) -
+      glm::dvec2(glm::dot(toEye, s), glm::dot(toEye, t)) * glm::dot(forward, light.Direction);
+    length = glm::length(toEye);
+  }
+  const bool isPoint = !(glm::length(along) > LeastShownAlong * length);
+  return isPoint ? 0.0 : std::atan2(-along.x, along.y);
 }
 }

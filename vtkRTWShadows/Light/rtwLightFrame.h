@@ -63,9 +63,19 @@ struct LightFrame
 /// The least and the greatest product of a direction with any point of what a light shines on.
 using ExtentFunction = std::function<glm::dvec2(const glm::dvec3& direction)>;
 
-/// A frame for a light, seen from the eye.
-LightFrame MakeLightFrame(
-  const ShadowLight& light, const ExtentFunction& extent, const glm::dvec3& eye);
+/// A frame for a light, seen from the eye. `turn`, in radians about the light's direction, is that of
+/// its axes from where they lie by themselves.
+LightFrame MakeLightFrame(const ShadowLight& light, const ExtentFunction& extent,
+  const glm::dvec3& eye, double turn = 0);
+
+/// The frame with its axes turned by an angle. Bounds of a directional light become the square that
+/// holds the old ones.
+LightFrame Turned(const LightFrame& frame, double by);
+
+/// The turn that lays the t axis along the image that the light has of the line from the eye
+/// forward; 0 where that is a point, as good as.
+double ViewAlignedTurn(
+  const ShadowLight& light, const glm::dvec3& eye, const glm::dvec3& forward);
 }
 
 #endif

@@ -48,6 +48,15 @@ bool HasSeveralSamples()
 }
 }
 
+void DebuggedMap::Use(const Program& program) const
+{
+  program.Use();
+  this->Samples.Bind(program);
+  this->Table.Bind(program);
+  BindLight(program, this->Frame, this->Samples.GetView(), 1);
+  program.Set("rtwLayer", this->Light);
+}
+
 bool DebugStage::Build(const WarpShape& warp)
 {
   if (!this->Warp || std::strcmp(this->Warp, warp.Name) != 0)
@@ -71,18 +80,9 @@ bool DebugStage::Build(const WarpShape& warp)
       150);
 }
 
-void DebugStage::Use(const Program& program, const DebuggedMap& map) const
-{
-  program.Use();
-  map.Samples.Bind(program);
-  map.Table.Bind(program);
-  BindLight(program, map.Frame, map.Samples.GetView(), 1);
-  program.Set("rtwLayer", map.Light);
-}
-
 void DebugStage::Paint(DebugView view, const DebuggedMap& map, const Texture& mask, double rounding)
 {
-  this->Use(this->Painting, map);
+  map.Use(this->Painting);
   map.Samples.BindDepth(this->Painting, -rounding);
   this->Painting.Set("rtwDebugView", static_cast<int>(view));
   this->Painting.Set("rtwOtherLayers", map.OtherLayers);
@@ -102,7 +102,7 @@ bool DebugStage::Measure(const DebuggedMap& map, Texture& error)
   {
     return false;
   }
-  this->Use(this->Measuring, map);
+  map.Use(this->Measuring);
   this->Triangle.Draw();
   return true;
 }

@@ -35,6 +35,9 @@ struct DebuggedMap
   int OtherLayers; ///< how far behind it the layer of its other casters lies; 0 for none
   const ViewSampler& Samples;
   const WarpTable& Table;
+
+  /// Uses a program of ours that looks at it.
+  void Use(const Program& program) const;
 };
 
 class DebugStage
@@ -54,8 +57,6 @@ public:
   void Abandon();
 
 private:
-  void Use(const Program& program, const DebuggedMap& map) const;
-
   const char* Warp = nullptr; ///< that is compiled
   Program Painting, Measuring;
   Framebuffer Target;

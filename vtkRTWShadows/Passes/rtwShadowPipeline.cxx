@@ -71,7 +71,8 @@ bool ShadowPipeline::Build()
   return built;
 }
 
-void ShadowPipeline::MakeFrames(const FrameScene& scene, const std::vector<ShadowLight>& lights)
+LightFrame ShadowPipeline::MakeFrame(
+  const FrameScene& scene, const ShadowLight& light, double turn) const
 {
   const auto extent = [&](const glm::dvec3& direction) {
     glm::dvec2 along = this->Store.Extent(direction);
@@ -82,11 +83,17 @@ void ShadowPipeline::MakeFrames(const FrameScene& scene, const std::vector<Shado
     }
     return along;
   };
+  return MakeLightFrame(light, extent, this->Viewed.Eye, turn);
+}
+
+void ShadowPipeline::MakeFrames(const FrameScene& scene, const std::vector<ShadowLight>& lights)
+{
   this->Frames.clear();
   this->SceneSize = glm::length(scene.High - scene.Low);
-  for (const ShadowLight& light : lights)
+  this->DrawnTurns = this->Turns.GetTurns();
+  for (std::size_t i = 0; i < lights.size(); ++i)
   {
-    this->Frames.push_back(MakeLightFrame(light, extent, this->Viewed.Eye));
+    this->Frames.push_back(this->MakeFrame(scene, lights[i], this->DrawnTurns[i]));
   }
 }
 
@@ -130,8 +137,12 @@ bool ShadowPipeline::Update(const View& view, const FrameScene& scene,
     this->LastSignature = 0;
     return false;
   }
+  this->Turns.Begin(
+    this->OwnDrawing || options.Turn != Turning::Automatic ? options.Turn : Turning::Off,
+    options.Viewer, lights, view);
   const std::uint64_t signature = this->Sign(scene, lights, options);
-  if (options.Caching && signature == this->LastSignature && this->Settled)
+  if (options.Caching && signature == this->LastSignature && this->Settled &&
+    this->Turns.GetTurns() == this->DrawnTurns)
   {
     // What no map depends on may have changed all the same.
     for (std::size_t i = 0; i < this->Frames.size(); ++i)
@@ -208,12 +219,14 @@ void ShadowPipeline::Abandon()
   this->Warp->Abandon();
   this->Store.Abandon();
   this->Last.Abandon();
+  this->Turns.Abandon();
   this->Sampler.Abandon();
   this->Focus.Abandon();
   this->Casters.Abandon();
   this->Images.Abandon();
   this->Masking.Abandon();
   this->Debugging.Abandon();
+  this->Prediction.Abandon();
   this->Layers.Abandon();
   this->Table.Abandon();
   this->Timers.Abandon();
@@ -232,12 +245,14 @@ void ShadowPipeline::Release(vtkOpenGLRenderWindow* window)
   this->Warp->Release();
   this->Store.Release();
   this->Last.Release();
+  this->Turns.Release();
   this->Sampler.Release();
   this->Focus.Release();
   this->Casters.Release();
   this->Images.Release();
   this->Masking.Release();
   this->Debugging.Release();
+  this->Prediction.Release();
   this->Layers.Release();
   this->Table.Release();
   this->Timers.Release();

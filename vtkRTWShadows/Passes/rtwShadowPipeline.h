@@ -8,10 +8,12 @@
 #include "rtwCasterDrawing.h"
 #include "rtwDebugStage.h"
 #include "rtwDenseLayers.h"
+#include "rtwErrorPrediction.h"
 #include "rtwFocus.h"
 #include "rtwFrameScene.h"
 #include "rtwGeometryStore.h"
 #include "rtwLightImages.h"
+#include "rtwLightTurning.h"
 #include "rtwMaskStage.h"
 #include "rtwReceiverShader.h"
 #include "rtwStageTimers.h"
@@ -41,6 +43,8 @@ struct PipelineOptions
   int ViewSampleStride = 2;
   bool PreviousFrame = false; ///< whether view samples may come from it
   bool FocusOnView = true;
+  Turning Turn = Turning::Off;
+  const void* Viewer = nullptr; ///< who looks, only compared with others
   bool Caching = true;
   CasterOptions Casters;
   LookupOptions Lookup;
@@ -116,6 +120,10 @@ public:
   std::string GetDebugLog() const { return this->Debugging.GetLog() + this->Masking.GetLog(); }
   /// Of each cell along s, then along t, as collected and as used; empty where there is none.
   std::vector<float> ReadImportance(int layer) const;
+  /// The share of the pixels that face a light, of the last frame, whose shadow is predicted to be
+  /// wrong; negative where that is not known. Waits for the GPU.
+  double PredictError(
+    int light, const PipelineOptions& options, const std::function<void()>& mapperSamples);
   const Statistics& GetStatistics() const { return this->Counted; }
   CasterCounts ReadCasterCounts(int layer) const { return this->Casters.ReadCounts(layer); }
   /// Texels a side along s and t. Waits for the GPU.
@@ -126,8 +134,11 @@ private:
   bool Build();
   bool HasUniformTable() const { return this->Can.FastUniforms && this->Table.FitsUniforms(); }
   void Abandon();
+  LightFrame MakeFrame(const FrameScene& scene, const ShadowLight& light, double turn) const;
   void MakeFrames(const FrameScene& scene, const std::vector<ShadowLight>& lights);
-  std::vector<Rectangle> UnsampledReceivers(const FrameScene& scene, double beyond) const;
+  static Rectangle UnsampledReceivers(
+    const FrameScene& scene, const LightFrame& frame, double beyond);
+  std::vector<Rectangle> UnsampledReceiversOfAll(const FrameScene& scene, double beyond) const;
   std::uint64_t Sign(const FrameScene& scene, const std::vector<ShadowLight>& lights,
     const PipelineOptions& options) const;
   void Draw(const FrameScene& scene, const std::vector<ShadowLight>& lights,
@@ -136,6 +147,9 @@ private:
   void DrawMask(const PipelineOptions& options);
   void CompleteViewSamples(const std::function<void()>& mapperSamples);
   DebuggedMap MapOf(int light) const;
+  void DrawMaps(StateGuard& guard, const FrameScene& scene, const PipelineOptions& options,
+    const MapperDrawing& mappers, const Texture* lastMask, bool still);
+  void AskForTurns(const FrameScene& scene, const PipelineOptions& options, const Texture* mask);
   void FindFocus(const FrameScene& scene, const PipelineOptions& options);
   bool DrawLightImages(
     StateGuard& guard, const PipelineOptions& options, const MapperDrawing& mappers);
@@ -167,11 +181,14 @@ private:
   LastFrame Last;
   bool Resampled = false; ///< whether the analysis looks at the last frame
   bool Settled = true;    ///< false where that frame shows something else than this one
+  LightTurning Turns;
+  std::vector<double> DrawnTurns; ///< of the layers as they are
   FocusStage Focus;
   CasterDrawing Casters;
   LightImages Images;
   MaskStage Masking;
   DebugStage Debugging;
+  ErrorPrediction Prediction;
   int OtherLayers = 0; ///< unwarped, behind the lights' own: of casters that mappers draw, whose
                        ///< edges can't be warped
   bool HasSamples = false; ///< of the last frame

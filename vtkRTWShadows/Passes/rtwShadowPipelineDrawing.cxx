@@ -17,34 +17,40 @@ namespace
 constexpr double ResampledMargin = 0.05; // of the focus, for what the last frame has not seen
 }
 
-std::vector<Rectangle> ShadowPipeline::UnsampledReceivers(
-  const FrameScene& scene, double beyond) const
+Rectangle ShadowPipeline::UnsampledReceivers(
+  const FrameScene& scene, const LightFrame& frame, double beyond)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  std::vector<Rectangle> result;
+  Rectangle bounds{ glm::dvec2(infinity), glm::dvec2(-infinity) };
+  for (const glm::dvec3& corner : scene.UnsampledReceivers)
+  {
+    const glm::dvec2 l = frame.Project(corner);
+    // Behind a spot: no light falls there, but the box may reach anywhere.
+    bounds.Low = glm::min(bounds.Low, l.x < infinity ? l : frame.Bounds.Low);
+    bounds.High = glm::max(bounds.High, l.x < infinity ? l : frame.Bounds.High);
+  }
+  const bool isSpot = frame.Light.Kind == LightKind::Spot;
+  const double margin = isSpot ? beyond / frame.NearestDistance : beyond;
+  return { glm::max(bounds.Low - margin, frame.Bounds.Low),
+    glm::min(bounds.High + margin, frame.Bounds.High) };
+}
+
+std::vector<Rectangle> ShadowPipeline::UnsampledReceiversOfAll(
+  const FrameScene& scene, double beyond) const
+{
+  std::vector<Rectangle> bounds;
   for (const LightFrame& frame : this->Frames)
   {
-    Rectangle bounds{ glm::dvec2(infinity), glm::dvec2(-infinity) };
-    for (const glm::dvec3& corner : scene.UnsampledReceivers)
-    {
-      const glm::dvec2 l = frame.Project(corner);
-      // Behind a spot: no light falls there, but the box may reach anywhere.
-      bounds.Low = glm::min(bounds.Low, l.x < infinity ? l : frame.Bounds.Low);
-      bounds.High = glm::max(bounds.High, l.x < infinity ? l : frame.Bounds.High);
-    }
-    const bool isSpot = frame.Light.Kind == LightKind::Spot;
-    const double margin = isSpot ? beyond / frame.NearestDistance : beyond;
-    bounds.Low = glm::max(bounds.Low - margin, frame.Bounds.Low);
-    bounds.High = glm::min(bounds.High + margin, frame.Bounds.High);
-    result.push_back(bounds);
+    bounds.push_back(UnsampledReceivers(scene, frame, beyond));
   }
-  return result;
+  return bounds;
 }
 
 bool ShadowPipeline::NeedsViewSamples(const PipelineOptions& options) const
 {
   return this->OwnDrawing &&
-    (options.Masked || options.FocusOnView || this->Warp->NeedsViewSamples());
+    (options.Masked || options.FocusOnView || options.Turn == Turning::Automatic ||
+      this->Warp->NeedsViewSamples());
 }
 
 // True where the last frame shows about what this one will.
@@ -75,7 +81,7 @@ void ShadowPipeline::FindFocus(const FrameScene& scene, const PipelineOptions& o
   const FilterReach reach{ options.Lookup.FilterWorld,
     options.Lookup.FilterTexels / double(options.Resolution) +
       (this->Resampled ? ResampledMargin : 0) };
-  std::vector<Rectangle> unsampled = this->UnsampledReceivers(scene, reach.World);
+  std::vector<Rectangle> unsampled = this->UnsampledReceiversOfAll(scene, reach.World);
   if (this->OtherLayers > 0)
   {
     frames.insert(frames.end(), this->Frames.begin(), this->Frames.end());
@@ -98,6 +104,39 @@ void ShadowPipeline::FindFocus(const FrameScene& scene, const PipelineOptions& o
   {
     this->Table.WriteIdentity(static_cast<int>(this->Frames.size()) + layer);
   }
+}
+
+// For a frame to come.
+void ShadowPipeline::AskForTurns(
+  const FrameScene& scene, const PipelineOptions& options, const Texture* mask)
+{
+  if (!this->Turns.IsToAsk(this->LastSignature))
+  {
+    return;
+  }
+  StageTimers::Scope timer(this->Timers, "light plane turn");
+  std::vector<TurnedLight> lights;
+  for (std::size_t i = 0; i < this->Frames.size(); ++i)
+  {
+    const LightFrame& frame = this->Frames[i];
+    const bool isWhole = !options.FocusOnView && frame.Light.Kind == LightKind::Directional;
+    TurnedLight light{ frame, {}, {}, {} };
+    for (const double turn : this->Turns.GetCandidates(i))
+    {
+      light.By.push_back(turn - this->DrawnTurns[i]);
+      const LightFrame turned =
+        isWhole ? this->MakeFrame(scene, frame.Light, turn) : Turned(frame, light.By.back());
+      light.Bounds.push_back(turned.Bounds);
+      light.Kept.push_back(options.FocusOnView
+          ? UnsampledReceivers(scene, turned, options.Lookup.FilterWorld)
+          : turned.Bounds);
+    }
+    lights.push_back(light);
+  }
+  this->Turns.Ask(lights,
+    { this->Sampler, this->GetStride(options), mask, options.Resolution,
+      this->Warp->NeedsViewSamples() },
+    this->LastSignature);
 }
 
 // What mappers draw is as unwarped in a light's image as in their own layers.
@@ -142,7 +181,7 @@ void ShadowPipeline::RunWarp(
     this->Warp->Run(this->Frames,
       { this->Sampler, this->GetStride(options), this->SceneSize,
         hasImages ? &this->Images.GetImages() : nullptr, lastMask, this->Masked,
-        options.Masked && !this->Resampled, this->UnsampledReceivers(scene, lookup.FilterWorld),
+        options.Masked && !this->Resampled, this->UnsampledReceiversOfAll(scene, lookup.FilterWorld),
         lookup.FilterWorld, lookup.FilterTexels },
       this->Table);
   }
@@ -180,6 +219,24 @@ void ShadowPipeline::Draw(const FrameScene& scene, const std::vector<ShadowLight
   {
     this->DrawViewSamples(guard, scene.Props.empty() ? nullptr : mappers.ViewSamples);
   }
+  this->DrawMaps(guard, scene, options, mappers, lastMask, still);
+  this->AskForTurns(scene, options, this->HasMask ? &mask : nullptr);
+  // Of the first frame there is no better choice to wait for: it is drawn once more.
+  if (this->Turns.IsUndecided() && this->Turns.Wait())
+  {
+    this->MakeFrames(scene, lights);
+    this->DrawMaps(guard, scene, options, mappers, lastMask, still);
+  }
+  this->Counted.ShadowMemory = static_cast<std::int64_t>(this->Layers.GetMemory() +
+    this->Table.GetMemory() + this->Sampler.GetMemory() + this->Masking.GetMask().GetMemory() +
+    this->Casters.GetMemory() + this->Images.GetMemory());
+}
+
+// From view samples to the mask.
+void ShadowPipeline::DrawMaps(StateGuard& guard, const FrameScene& scene,
+  const PipelineOptions& options, const MapperDrawing& mappers, const Texture* lastMask,
+  bool still)
+{
   this->FindFocus(scene, options);
   if (this->OwnDrawing)
   {
@@ -190,7 +247,7 @@ void ShadowPipeline::Draw(const FrameScene& scene, const std::vector<ShadowLight
   }
   const bool hasImages = this->DrawLightImages(guard, options, mappers);
   this->RunWarp(scene, options, hasImages, lastMask);
-  for (int layer = 0; layer < layers; ++layer)
+  for (int layer = 0; layer < static_cast<int>(this->Frames.size()); ++layer)
   {
     this->DrawLayer(guard, layer, scene, options, mappers);
   }
@@ -198,9 +255,6 @@ void ShadowPipeline::Draw(const FrameScene& scene, const std::vector<ShadowLight
   {
     this->DrawMask(options);
   }
-  this->Counted.ShadowMemory = static_cast<std::int64_t>(this->Layers.GetMemory() +
-    this->Table.GetMemory() + this->Sampler.GetMemory() + this->Masking.GetMask().GetMemory() +
-    this->Casters.GetMemory() + this->Images.GetMemory());
 }
 
 void ShadowPipeline::PrimeDepth(const FrameScene& scene, const PipelineOptions& options)

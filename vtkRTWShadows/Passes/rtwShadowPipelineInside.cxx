@@ -39,6 +39,21 @@ bool ShadowPipeline::MeasureAliasing(
     this->Debugging.Measure(this->MapOf(light), error);
 }
 
+double ShadowPipeline::PredictError(
+  int light, const PipelineOptions& options, const std::function<void()>& mapperSamples)
+{
+  const Texture& mask = this->GetMask(options, mapperSamples);
+  if (!this->HasMask)
+  {
+    return -1;
+  }
+  StateGuard guard(this->Window);
+  const ReceiverLights lights =
+    ReceiverLights::Make(this->Frames, this->Viewed, options.Lookup, this->SceneSize);
+  return this->Prediction.Predict(
+    { this->MapOf(light), mask, lights, this->Layers }, options.Shape);
+}
+
 std::vector<float> ShadowPipeline::ReadImportance(int layer) const
 {
   return this->OwnDrawing ? this->Warp->ReadImportance(layer) : std::vector<float>();

@@ -53,3 +53,15 @@ vtkImageData* vtkAdaptiveShadowMapPass::GetAliasingErrorImage(int light)
   }
   return my.AliasingImage;
 }
+
+double vtkAdaptiveShadowMapPass::GetPredictedError(int light)
+{
+  Internals& my = *this->Shadows;
+  if (!my.Has(light) || !my.Renderer || !my.MakeCurrent())
+  {
+    return -1;
+  }
+  vtkRenderer* renderer = my.Renderer;
+  return my.Pipeline.PredictError(
+    light, my.Options, [this, renderer] { this->DrawViewSamples(renderer); });
+}

@@ -145,6 +145,8 @@ void vtkAdaptiveShadowMapPass::Bake(const vtkRenderState* s)
   my.Options.PreviousFrame =
     this->ViewSampleSource == PREVIOUS_FRAME && window->GetMultiSamples() <= 1;
   my.Options.FocusOnView = this->FocusOnView;
+  my.Options.Turn = static_cast<rtw::Turning>(this->LightPlaneTurn);
+  my.Options.Viewer = renderer;
   my.Options.Caching = this->Caching;
   my.Options.Casters = { this->CullCasters, static_cast<rtw::Bending>(this->Rasterization),
     this->MaximumEdgeLength };

@@ -75,6 +75,12 @@ void vtkAdaptiveShadowMapPass::SetRasterization(int rasterization)
     "LINEAR (0), TESSELLATED (1), EXACT (2) or AUTOMATIC (3)");
 }
 
+void vtkAdaptiveShadowMapPass::SetLightPlaneTurn(int turn)
+{
+  this->Choose(this->LightPlaneTurn, turn, turn >= TURN_OFF && turn <= TURN_AUTOMATIC,
+    "LightPlaneTurn", "TURN_OFF (0), TURN_VIEW_ALIGNED (1) or TURN_AUTOMATIC (2)");
+}
+
 void vtkAdaptiveShadowMapPass::SetViewSampleSource(int source)
 {
   this->Choose(this->ViewSampleSource, source, source == PREPASS || source == PREVIOUS_FRAME,
@@ -283,6 +289,7 @@ void vtkAdaptiveShadowMapPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ConstantBias: " << this->ConstantBias << "\n";
   os << indent << "Rasterization: " << this->Rasterization << "\n";
   os << indent << "MaximumEdgeLength: " << this->MaximumEdgeLength << "\n";
+  os << indent << "LightPlaneTurn: " << this->LightPlaneTurn << "\n";
   os << indent << "ViewSampleSource: " << this->ViewSampleSource << "\n";
   os << indent << "ViewSampleStride: " << this->ViewSampleStride << "\n";
   os << indent << "Caching: " << this->Caching << "\n";

@@ -121,6 +121,10 @@ std::vector<rtw::CommandLineOption> Entries(Options& options)
       [&](const std::string& value) {
         settings.EdgeLength = ReadNumber("--edge-length", value, 0.001, 1);
       } },
+    { "--light-plane-turn", "T", "off, view-aligned or automatic",
+      [&](const std::string& value) {
+        settings.Turn = Choose("--light-plane-turn", value, LightPlaneTurnNames());
+      } },
     { "--view-samples", "S", "prepass or previous-frame",
       [&](const std::string& value) {
         settings.Samples = Choose("--view-samples", value, SampleSourceNames());

@@ -19,8 +19,10 @@ std::string Row(const Result& result)
 {
   const rtw::ShadowErrors& errors = result.Errors;
   const std::string ratio = result.ToVtk > 0 ? Format("%.2f", result.ToVtk) : "-";
-  return Format("%-10s %6d  %8.4f %8.4f %8.4f %8.4f %8.4f  %9.2f %9.2f %7s %9.1f\n",
-    result.Technique.c_str(), result.Resolution, errors.Percent(errors.Wrong()),
+  const std::string predicted =
+    result.Predicted >= 0 ? Format("%.4f", 100 * result.Predicted) : "-";
+  return Format("%-10s %6d  %8.4f %9s %8.4f %8.4f %8.4f %8.4f  %9.2f %9.2f %7s %9.1f\n",
+    result.Technique.c_str(), result.Resolution, errors.Percent(errors.Wrong()), predicted.c_str(),
     errors.Percent(errors.WronglyDark), errors.Percent(errors.WronglyLit),
     errors.Percent(errors.FarFromEdge), errors.Percent(errors.NotComparable),
     result.Milliseconds.Rebuilt, result.Milliseconds.Still, ratio.c_str(),
@@ -48,6 +50,8 @@ Json::Value ToJson(const Result& result)
   value["technique"] = result.Technique;
   value["resolution"] = result.Resolution;
   value["wrong_percent"] = errors.Percent(errors.Wrong());
+  value["predicted_percent"] =
+    result.Predicted >= 0 ? Json::Value(100 * result.Predicted) : Json::Value(Json::nullValue);
   value["wrongly_dark_percent"] = errors.Percent(errors.WronglyDark);
   value["wrongly_lit_percent"] = errors.Percent(errors.WronglyLit);
   value["far_from_edge_percent"] = errors.Percent(errors.FarFromEdge);
@@ -76,16 +80,19 @@ std::string ToTable(const Report& report)
     report.Scene.Name.c_str(), report.Primitives, report.Scene.Size[0], report.Scene.Size[1],
     truth.LitFacing, truth.Percent(truth.Shadowed));
   text += Format("without shadows: %.2f ms a frame\n\n", report.Baseline.Rebuilt);
-  text +=
-    "                            % of the pixels that face the light             ms a frame\n";
-  text += "technique     res     wrong     dark      lit      far undecided    rebuilt     still"
+  text += "                                 % of the pixels that face the light                  "
+          "ms a frame\n";
+  text += "technique     res     wrong predicted     dark      lit      far undecided    rebuilt   "
+          "  still"
           "  to vtk       MiB\n";
   for (const Result& result : report.Results)
   {
     text += Row(result);
   }
-  text += "\ndark, lit: wrongly so; far: wrong, and more than two pixels from a shadow's edge; to "
-          "vtk: rebuilt,\nin times VTK's own pass; MiB: of shadow maps\n";
+  text +=
+    "\npredicted: wrong, by the technique's own account; dark, lit: wrongly so; far: wrong, and "
+    "more than two\npixels from a shadow's edge; to vtk: rebuilt, in times VTK's own pass; MiB: of "
+    "shadow maps\n";
   for (const Result& result : report.Results)
   {
     text += StageTable(result);

@@ -17,6 +17,7 @@ struct Result
   rtw::ShadowErrors Errors;
   Times Milliseconds;
   int64_t Memory;   // bytes
+  double Predicted = -1; // wrong, by the technique: a share of the pixels; negative if unknown
   double ToVtk = 0; // rebuilt, in times VTK's own pass at the same resolution; 0 if unknown
 };
 

@@ -122,6 +122,7 @@ Result Examine(View& view, const Options& options, const rtw::Scene& scene, cons
   }
   const std::vector<unsigned char> mask = view.Window.GetTechnique()->MakeMask();
   result.Errors = rtw::Compare(mask, truth);
+  result.Predicted = view.Window.GetTechnique()->GetPredictedError();
   if (!options.OutputFolder.empty())
   {
     rtw::WritePng(

@@ -189,4 +189,118 @@ TEST(LightFrame, IsFiniteForFlatAndEmptyScenes)
     }
   }
 }
+
+// By 0 it is the frame as it always was; by more its axes turn about the light, and with them all
+// that is on the plane.
+TEST(LightFrame, Turns)
+{
+  std::mt19937 random(4);
+  for (int round = 0; round < 20; ++round)
+  {
+    const dvec3 direction = RandomDirection(random), eye(4, 5, 6);
+    const auto points = RandomPoints(random, dvec3(1, 2, 3) + 9.0 * direction, 4);
+    for (const auto& light : { Sun(direction), Spot({ 1, 2, 3 }, direction, 40) })
+    {
+      const auto still = rtw::MakeLightFrame(light, ExtentOf(points), eye);
+      const auto same = rtw::MakeLightFrame(light, ExtentOf(points), eye, 0);
+      EXPECT_EQ(same.SAxis, still.SAxis);
+      EXPECT_EQ(same.WorldToLight, still.WorldToLight);
+      const double turn = 0.3 * round - 3;
+      const auto turned = rtw::MakeLightFrame(light, ExtentOf(points), eye, turn);
+      ExpectBasis(turned);
+      EXPECT_NEAR(glm::dot(turned.SAxis, still.SAxis), std::cos(turn), 1e-12);
+      EXPECT_NEAR(glm::dot(turned.SAxis, still.TAxis), std::sin(turn), 1e-12);
+      const dvec3 from = still.Project(points[0]), turnedFrom = turned.Project(points[0]);
+      for (const dvec3& p : points)
+      {
+        const dvec3 a = still.Project(p) - from, b = turned.Project(p) - turnedFrom;
+        EXPECT_NEAR(b.x, std::cos(turn) * a.x + std::sin(turn) * a.y, 1e-9);
+        EXPECT_NEAR(b.y, std::cos(turn) * a.y - std::sin(turn) * a.x, 1e-9);
+        // Depth of a directional light has a margin that goes with the bounds.
+        EXPECT_TRUE(light.Kind == rtw::LightKind::Directional || std::abs(b.z - a.z) < 1e-12);
+        const dvec3 q = turned.Project(p);
+        EXPECT_TRUE(light.Kind == rtw::LightKind::Spot ||
+          (q.x >= turned.Bounds.Low.x && q.x <= turned.Bounds.High.x));
+        EXPECT_TRUE(light.Kind == rtw::LightKind::Spot ||
+          (q.y >= turned.Bounds.Low.y && q.y <= turned.Bounds.High.y));
+      }
+    }
+  }
+}
+
+// A frame that is turned later is that which was made so, but for bounds that still hold all.
+TEST(LightFrame, TurnsLater)
+{
+  std::mt19937 random(7);
+  for (int round = 0; round < 20; ++round)
+  {
+    const dvec3 direction = RandomDirection(random), eye(4, 5, 6);
+    const auto points = RandomPoints(random, dvec3(1, 2, 3) + 9.0 * direction, 4);
+    for (const auto& light : { Sun(direction), Spot({ 1, 2, 3 }, direction, 40) })
+    {
+      const double turn = 0.3 * round - 3;
+      const auto made = rtw::MakeLightFrame(light, ExtentOf(points), eye, 0.2 + turn);
+      const auto turned = rtw::Turned(rtw::MakeLightFrame(light, ExtentOf(points), eye, 0.2), turn);
+      ExpectBasis(turned);
+      EXPECT_NEAR(glm::distance(turned.SAxis, made.SAxis), 0, 1e-12);
+      EXPECT_NEAR(glm::distance(turned.ConeCentre, made.ConeCentre), 0, 1e-9);
+      for (const dvec3& p : points)
+      {
+        const glm::dvec2 a = made.Project(p), b = turned.Project(p);
+        EXPECT_NEAR(glm::distance(a, b), 0, 1e-9);
+        EXPECT_TRUE(light.Kind == rtw::LightKind::Spot ||
+          (b.x >= turned.Bounds.Low.x && b.x <= turned.Bounds.High.x &&
+            b.y >= turned.Bounds.Low.y && b.y <= turned.Bounds.High.y));
+      }
+      if (light.Kind == rtw::LightKind::Spot)
+      {
+        EXPECT_NEAR(glm::distance(turned.Bounds.Low, made.Bounds.Low), 0, 1e-9);
+        EXPECT_NEAR(glm::distance(turned.Bounds.High, made.Bounds.High), 0, 1e-9);
+      }
+    }
+  }
+}
+
+// What lies ahead of the eye is seen by the light along t, and rising.
+TEST(LightFrame, AlignsWithTheView)
+{
+  std::mt19937 random(5);
+  for (int round = 0; round < 30; ++round)
+  {
+    const dvec3 direction = RandomDirection(random), position(1, -2, 3);
+    const dvec3 eye = position + 5.0 * direction + RandomDirection(random);
+    const dvec3 forward = RandomDirection(random);
+    const auto points = RandomPoints(random, position + 8.0 * direction, 4);
+    for (const auto& light : { Sun(direction), Spot(position, direction, 60) })
+    {
+      const double turn = rtw::ViewAlignedTurn(light, eye, forward);
+      const auto frame = rtw::MakeLightFrame(light, ExtentOf(points), eye, turn);
+      const dvec3 near = frame.Project(eye + 0.1 * forward),
+                  far = frame.Project(eye + 2.0 * forward);
+      EXPECT_NEAR(near.x, far.x, 1e-9);
+      EXPECT_GT(far.y, near.y);
+    }
+  }
+}
+
+TEST(LightFrame, StaysWhereTheViewIsAlongTheLight)
+{
+  std::mt19937 random(6);
+  for (int round = 0; round < 30; ++round)
+  {
+    const dvec3 direction = RandomDirection(random),
+                aside = glm::cross(direction, dvec3(0.6, 0, 0.8));
+    for (const double sign : { -1.0, 1.0 })
+    {
+      const dvec3 forward = glm::normalize(sign * direction + 0.005 * aside);
+      EXPECT_EQ(rtw::ViewAlignedTurn(Sun(direction), { 1, 2, 3 }, forward), 0);
+      EXPECT_EQ(rtw::ViewAlignedTurn(
+                  Spot({ 1, 2, 3 }, direction, 40), dvec3(1, 2, 3) + 7.0 * forward, forward),
+        0);
+    }
+    // Nor is there a direction where the eye is at the spot, nor in a view that is not a number.
+    EXPECT_EQ(rtw::ViewAlignedTurn(Spot({ 1, 2, 3 }, direction, 40), { 1, 2, 3 }, aside), 0);
+    EXPECT_EQ(rtw::ViewAlignedTurn(Sun(direction), { 1, 2, 3 }, dvec3(NAN)), 0);
+  }
+}
 }

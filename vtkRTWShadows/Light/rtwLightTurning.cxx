@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rtwLightTurning.h"
+
+#include "rtwTurnChoice.h"
+
+namespace rtw
+{
+namespace
+{
+constexpr std::size_t MostViewers = 64; // who may have gone without a word
+}
+
+void LightTurning::Begin(
+  Turning kind, const void* viewer, const std::vector<ShadowLight>& lights, const View& view)
+{
+  this->Kind = kind;
+  this->Viewer = viewer;
+  this->Turns.assign(lights.size(), 0.0);
+  this->Candidates.clear();
+  if (kind != Turning::Automatic || this->Choices.size() > MostViewers)
+  {
+    this->Forget();
+  }
+  std::vector<double> aligned;
+  for (const ShadowLight& light : lights)
+  {
+    aligned.push_back(ViewAlignedTurn(light, view.Eye, view.Forward));
+  }
+  if (kind == Turning::ViewAligned)
+  {
+    this->Turns = aligned;
+  }
+  if (kind != Turning::Automatic)
+  {
+    return;
+  }
+  Choice& choice = this->Choices[viewer];
+  if (choice.Turns.size() != lights.size())
+  {
+    choice.Turns = this->Turns;
+    choice.Decided = false;
+    choice.Asked = 0;
+    choice.Answer.Release(); // it is about other lights
+  }
+  if (choice.Answer.IsReady())
+  {
+    Take(choice);
+  }
+  this->Turns = choice.Turns;
+  for (std::size_t i = 0; i < lights.size(); ++i)
+  {
+    this->Candidates.push_back(TurnCandidates(this->Turns[i], aligned[i]));
+  }
+}
+
+bool LightTurning::IsUndecided() const
+{
+  const auto choice = this->Choices.find(this->Viewer);
+  return choice != this->Choices.end() && !choice->second.Decided;
+}
+
+bool LightTurning::IsToAsk(std::uint64_t signature)
+{
+  if (this->Kind != Turning::Automatic)
+  {
+    return false;
+  }
+  const Choice& choice = this->Choices[this->Viewer];
+  return !choice.Answer.IsUnderWay() && choice.Asked != signature && this->Stage.Build();
+}
+
+void LightTurning::Ask(
+  const std::vector<TurnedLight>& lights, const TurnInput& input, std::uint64_t signature)
+{
+  Choice& choice = this->Choices[this->Viewer];
+  choice.Compared = this->Candidates;
+  choice.Asked = signature;
+  this->Stage.Start(lights, input, choice.Answer);
+}
+
+void LightTurning::Take(Choice& choice)
+{
+  std::size_t count = 0;
+  for (const std::vector<double>& turns : choice.Compared)
+  {
+    count += turns.size();
+  }
+  std::vector<float> errors(count);
+  if (!choice.Answer.Read(errors.data()))
+  {
+    return;
+  }
+  auto first = errors.begin();
+  for (std::size_t i = 0; i < choice.Turns.size(); ++i)
+  {
+    const std::vector<double>& turns = choice.Compared[i];
+    const auto end = first + static_cast<std::ptrdiff_t>(turns.size());
+    choice.Turns[i] = turns[BestTurn({ first, end })];
+    first = end;
+  }
+}
+
+bool LightTurning::Wait()
+{
+  Choice& choice = this->Choices[this->Viewer];
+  Take(choice);
+  choice.Decided = true; // even if in vain: it isn't tried in each frame
+  const bool isBetter = this->Turns != choice.Turns;
+  this->Turns = choice.Turns;
+  return isBetter;
+}
+
+void LightTurning::Forget()
+{
+  for (auto& choice : this->Choices)
+  {
+    choice.second.Answer.Release();
+  }
+  this->Choices.clear();
+}
+
+void LightTurning::Release()
+{
+  this->Stage.Release();
+  this->Forget();
+}
+
+void LightTurning::Abandon()
+{
+  this->Stage.Abandon();
+  this->Choices.clear();
+  this->Turns.clear();
+  this->Candidates.clear();
+}
+}

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How each light's plane is turned from frame to frame.
+#ifndef rtwLightTurning_h
+#define rtwLightTurning_h
+
+#include "rtwReadback.h"
+#include "rtwTurnStage.h"
+#include "rtwView.h"
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+namespace rtw
+{
+enum class Turning
+{
+  Off,
+  ViewAligned,
+  Automatic
+};
+
+class LightTurning
+{
+public:
+  /// Before a frame: what has been found out by now counts from this one on. `viewer` tells apart
+  /// those who take turns.
+  void Begin(
+    Turning kind, const void* viewer, const std::vector<ShadowLight>& lights, const View& view);
+  /// Of each light, in radians.
+  const std::vector<double>& GetTurns() const { return this->Turns; }
+  /// Whether nothing has been found out about these lights yet.
+  bool IsUndecided() const;
+  /// Whether to ask about a frame with that signature: not while an answer is due, nor what has
+  /// been asked before, so that all comes to rest. False where the driver can't.
+  bool IsToAsk(std::uint64_t signature);
+  /// The turns to be compared.
+  const std::vector<double>& GetCandidates(std::size_t light) const
+  {
+    return this->Candidates[light];
+  }
+  /// Starts to compare them. A light's `By` are its candidates, less its turn.
+  void Ask(const std::vector<TurnedLight>& lights, const TurnInput& input, std::uint64_t signature);
+  /// Until that is done; then it counts. Whether there is a better turn.
+  bool Wait();
+  void Release();
+  void Abandon();
+
+private:
+  /// Of a viewer.
+  struct Choice
+  {
+    std::vector<double> Turns;
+    bool Decided = false;
+    std::uint64_t Asked = 0; ///< signature of the frame
+    std::vector<std::vector<double>> Compared;
+    Readback Answer; ///< the errors of those
+  };
+  static void Take(Choice& choice);
+  void Forget();
+
+  TurnStage Stage;
+  std::map<const void*, Choice> Choices;
+  Turning Kind = Turning::Off;
+  const void* Viewer = nullptr; ///< of this frame
+  std::vector<double> Turns;
+  std::vector<std::vector<double>> Candidates;
+};
+}
+
+#endif

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which turns of a light's plane are compared, by what, and when another is taken.
+#ifndef rtwTurnChoice_h
+#define rtwTurnChoice_h
+
+#include <glm/glm.hpp>
+
+#include <cstddef>
+#include <vector>
+
+namespace rtw
+{
+/// In radians: first the one in force, then all that differ on a map of columns and rows, 11.25
+/// degrees apart, then that of the view.
+std::vector<double> TurnCandidates(double inForce, double viewAligned);
+
+/// The index of the least error, if that is a tenth less than the first; else 0.
+std::size_t BestTurn(const std::vector<float>& errors);
+
+/// A view sample on the light plane.
+struct TurnSample
+{
+  glm::dvec2 Place;
+  glm::dvec2 ToRight, ToAbove; ///< to what the next pixels show of its tangent plane
+  bool AtEdge = true;          ///< of a shadow
+  glm::dvec2 Normal{ 0 };      ///< across that edge, on the screen, of length 1; 0 if not known
+};
+
+/// The twin of rtwMisplaced in rtwShadowEdge.glsl, kept below what is wrong at most.
+double Misplacement(const TurnSample& sample, const glm::dvec2& off);
+
+/// The twin of rtwTurnErrors.glsl: pixels by which shadow edges move when a map of so many texels a
+/// side is a texel off, summed over all samples. Of a map that adapts the density is the square
+/// root of demand, so that where all is an edge the sum is the demand's least error, (∫√d)² a texel
+/// (Rosen 2012, equation 1, solved for the least sum of texels over pixels).
+double TurnError(const std::vector<TurnSample>& samples, double turn, int texels, bool adapts);
+}
+
+#endif

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The errors that a light's map would have at several turns of its plane, predicted on the GPU from
+// view samples.
+#ifndef rtwTurnStage_h
+#define rtwTurnStage_h
+
+#include "rtwBuffer.h"
+#include "rtwLightFrame.h"
+#include "rtwProgram.h"
+
+#include <string>
+#include <vector>
+
+namespace rtw
+{
+class Readback;
+class Texture;
+class ViewSampler;
+
+/// A light, and turns of its plane from that of its frame.
+struct TurnedLight
+{
+  LightFrame Frame;
+  std::vector<double> By;        ///< radians, no more than TurnStage::MostTurns
+  std::vector<Rectangle> Kept;   ///< what the map has to hold besides samples, so turned
+  std::vector<Rectangle> Bounds; ///< outside of which nothing counts, so turned
+};
+
+struct TurnInput
+{
+  const ViewSampler& Samples;
+  int Stride = 1;                ///< every how many pixels there is a sample
+  const Texture* Mask = nullptr; ///< of the samples, a layer a light; none where all count as edges
+  int Texels = 1;                ///< a side of the map
+  bool Adapts = true;            ///< whether the map is warped by demand
+};
+
+class TurnStage
+{
+public:
+  static constexpr int MostTurns = 12;
+
+  bool Build();
+  std::string GetLog() const;
+  /// Starts to find the errors of all turns of each light: the answer will be floats, one a turn,
+  /// one after another, in any unit.
+  void Start(const std::vector<TurnedLight>& lights, const TurnInput& input, Readback& answer);
+  void Release();
+  void Abandon();
+
+private:
+  void List(const LightFrame& frame, int light, const TurnInput& input);
+  void Compare(const TurnedLight& light, int first, const TurnInput& input);
+
+  Program Listing, Comparing;
+  Buffer Samples, Errors;
+};
+}
+
+#endif
