@@ -242,7 +242,11 @@ void TestWithOthers()
     { "parallel",
       [](rtwShadowStage& stage) { stage.Renderer->GetActiveCamera()->ParallelProjectionOn(); } },
     { "mappers", [](rtwShadowStage& stage) { AddBalls(stage); } },
-    { "tessellated", [](rtwShadowStage& stage) { stage.Pass->SetRasterizationToTessellated(); } },
+    { "tessellated",
+      [](rtwShadowStage& stage) {
+        stage.Pass->SetRasterizationToTessellated();
+        stage.Pass->SetMaximumEdgeLength(0.01); // longer ones leak
+      } },
     { "caching off", [](rtwShadowStage& stage) { stage.Pass->CachingOff(); } },
   };
   for (const auto& [name, set] : cases)

@@ -224,9 +224,9 @@ public:
    *
    * VIEW_ALIGNED lays the map's t axis along the image that the light has of the view's direction; where the camera looks along
    * the light, within half a degree, it is OFF. AUTOMATIC chooses, for each light, among turns 11.25 degrees apart, of a
-   * rectilinear warp all that differ, and VIEW_ALIGNED, by the error that GetPredictedError() has for each. A first frame
-   * waits for the GPU once to choose, and may draw its maps twice; after that a better turn is taken a frame or two late, and only where
-   * it has a tenth less error, so that it doesn't pop to and fro. When all stands still maps are drawn at most once more. AUTOMATIC is OFF below OpenGL
+   * rectilinear warp all that differ, and VIEW_ALIGNED, by the formula of GetPredictedError(), on some of the samples
+   * and for a warp by SQRT_DEMAND. A first frame waits for the GPU once to choose, and may draw its maps twice; after that a better
+   * turn is taken a frame or two late, and only where it has a tenth less error, so that it doesn't pop to and fro. When all stands still maps are drawn at most once more. AUTOMATIC is OFF below OpenGL
    * 4.3. Default: OFF.
    */
   virtual void SetLightPlaneTurn(int turn);

@@ -100,7 +100,7 @@ public:
 
   /**
    * The share, 0 to 1, of the pixels that face a light whose shadow is wrong in the last frame, as
-   * predicted without exact rays: 0.145 times the sum, over the pixels beside a shadow edge of the
+   * predicted without exact rays: 0.148 times the sum, over the pixels beside a shadow edge of the
    * frame's mask, of how many pixels the edge moves when what casts it is a texel off, by all
    * pixels that face the light. That goes by the aliasing error along s and t and by how the edge
    * runs, and counts 50 pixels at most. In nine cases of ten the true share is half to one and a
