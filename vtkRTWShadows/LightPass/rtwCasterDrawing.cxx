@@ -44,12 +44,13 @@ constexpr int BatchSize = 128;
 constexpr std::size_t MostTriangles = MeshCluster::MaximumTriangles;
 constexpr std::size_t MostCovers = 3072; // a cluster
 // What the shaders keep of a cluster, by the rules of std430.
-constexpr std::size_t WorkBytes = 80 + 4 * MostTriangles;
+constexpr std::size_t WorkBytes = 96 + 4 * MostTriangles;
 constexpr std::size_t StraightBytes = 48 * MostTriangles;
 constexpr std::size_t BentBytes = 64 * MostTriangles;
 constexpr std::size_t CoverBytes = 32 * MostCovers;
 constexpr std::size_t BentDrawOffset = 16; // in a cluster's work
 constexpr std::size_t PatchDrawOffset = 32;
+constexpr std::size_t WholeDrawOffset = 48;
 // Of a patch, itself a triangle of so many pieces along an edge.
 constexpr int PatchSide = 8;
 
@@ -105,9 +106,9 @@ bool CasterDrawing::Build(const WarpShape& warp, TableAccess access)
       { stored, rtwWarpFocus, warp.Function, warp.Bend, limits.c_str(), rtwCasterWork,
         rtwCasterTriangle, rtwCasterRecords, rtwCoverCasters, rtwTessellateCasters,
         rtwSetUpCasters } } }) &&
-    this->Straight.Build({ { GL_VERTEX_SHADER, { rtwCasterRecords, rtwStraightCasterVS } },
+    this->Straight.Build({ { GL_VERTEX_SHADER, { limits.c_str(), rtwCasterRecords, rtwStraightCasterVS } },
       { GL_FRAGMENT_SHADER, { rtwCasterGradient, rtwStraightCasterFS } } }) &&
-    this->Bent.Build({ { GL_VERTEX_SHADER, { rtwCasterRecords, rtwBentCasterVS } },
+    this->Bent.Build({ { GL_VERTEX_SHADER, { limits.c_str(), rtwCasterRecords, rtwBentCasterVS } },
       { GL_FRAGMENT_SHADER,
         { stored, rtwWarpFocus, warp.Function, rtwCasterGradient, rtwCasterPlane, rtwBentCasterFS } } }) &&
     this->Patches.Build({ { GL_VERTEX_SHADER,
@@ -216,7 +217,10 @@ void CasterDrawing::DrawTriangles(const Layer& layer, int clusters)
   if (layer.Options.Bends == Bending::Tessellated)
   {
     this->Prepare(this->Patches, layer);
+    this->Patches.Set("rtwPatchSide", PatchSide);
     this->Pulled.DrawIndirect(this->Work, PatchDrawOffset, clusters, WorkBytes);
+    this->Patches.Set("rtwPatchSide", 1);
+    this->Pulled.DrawIndirect(this->Work, WholeDrawOffset, clusters, WorkBytes);
   }
   this->Straight.Use();
   this->Pulled.DrawIndirect(this->Work, 0, clusters, WorkBytes);

@@ -27,3 +27,9 @@ struct CasterCover
   uint caster; // twice its index, and 1 for a parallelogram
   float depth;
 };
+
+// Of a cluster's patches those of a single piece come last, from the end.
+uint rtwPlaceOfWhole(uint number)
+{
+  return MOST_COVERS - 1u - number;
+}

@@ -90,6 +90,7 @@ void main()
   rtwWork[i].straightDraw = uint[4](0u, 1u, 3u * MOST_TRIANGLES * i, 0u);
   rtwWork[i].bentDraw = uint[4](0u, 1u, 6u * MOST_COVERS * i, 0u);
   rtwWork[i].patchDraw = uint[4](0u, 1u, PATCH_VERTICES * MOST_COVERS * i, 0u);
+  rtwWork[i].wholeDraw = uint[4](0u, 1u, 3u * MOST_COVERS * i, 0u);
   rtwWork[i].firstIndex = cluster.firstIndex;
   rtwWork[i].baseVertex = cluster.baseVertex;
   rtwWork[i].instance = draw.instance;

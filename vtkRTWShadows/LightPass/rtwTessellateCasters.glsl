@@ -1,5 +1,5 @@
 // A bent triangle as pieces whose edges on the map are no longer than they may be (Rosen 2012, section 6.2), in patches: what a draw call
-// with a fixed number of vertices a patch can make of it.
+// with a fixed number of vertices a patch can make of it. What is a single piece, as most of a fine mesh, has a draw call of its own.
 uniform float rtwEdgeLength; // of the map's side
 
 const int MOST_PIECES = 256; // along an edge
@@ -12,8 +12,9 @@ int rtwPieces(vec2 a, vec2 b)
 
 void rtwAddPatch(uint caster, vec2 a, vec2 b, vec2 c, int side)
 {
-  uint i = MOST_COVERS * gl_WorkGroupID.x + atomicAdd(rtwWork[gl_WorkGroupID.x].patchDraw[0], PATCH_VERTICES) / PATCH_VERTICES;
-  i += MOST_COVERS * MOST_CLUSTERS; // behind the covers
+  uint i = side > 1 ? atomicAdd(rtwWork[gl_WorkGroupID.x].patchDraw[0], PATCH_VERTICES) / PATCH_VERTICES
+                    : rtwPlaceOfWhole(atomicAdd(rtwWork[gl_WorkGroupID.x].wholeDraw[0], 3u) / 3u);
+  i += MOST_COVERS * (gl_WorkGroupID.x + MOST_CLUSTERS); // behind the covers
   rtwCovers[i].corners[0] = float(side) * a;
   rtwCovers[i].corners[1] = float(side) * b;
   rtwCovers[i].corners[2] = float(side) * c;

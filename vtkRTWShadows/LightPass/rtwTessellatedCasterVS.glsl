@@ -13,6 +13,7 @@ layout(std430, binding = 6) readonly buffer Covers
   CasterCover rtwCovers[];
 };
 uniform int rtwLayer;
+uniform int rtwPatchSide; // of all patches of the draw call; 1: of a single piece
 flat out vec3 anchor;
 flat out vec2 slope;
 flat out vec2 depthRange;
@@ -59,6 +60,10 @@ vec3 rtwOnEdge(vec4 a, vec4 b, float t, float pieces)
 
 vec3 rtwTessellated(BentCaster caster, vec2 at)
 {
+  if (rtwPatchSide == 1)
+  {
+    return rtwOnMap(caster.edges[at.x > 0.0 ? 1 : at.y > 0.0 ? 2 : 0]);
+  }
   vec2 counts = floor(caster.anchor.zw / PIECES);
   vec2 others = caster.anchor.zw - PIECES * counts;
   float pieces = counts.x;
@@ -73,9 +78,12 @@ vec3 rtwTessellated(BentCaster caster, vec2 at)
 
 void main()
 {
-  int i = gl_VertexID / int(PATCH_VERTICES);
-  int k = gl_VertexID - int(PATCH_VERTICES) * i;
-  CasterCover part = rtwCovers[uint(i) + MOST_COVERS * MOST_CLUSTERS];
+  uint vertices = 3u * uint(rtwPatchSide * rtwPatchSide);
+  uint i = uint(gl_VertexID) / vertices;
+  int k = gl_VertexID - int(vertices * i);
+  uint cluster = i / MOST_COVERS;
+  uint number = i - MOST_COVERS * cluster;
+  CasterCover part = rtwCovers[MOST_COVERS * (cluster + MOST_CLUSTERS) + (rtwPatchSide == 1 ? rtwPlaceOfWhole(number) : number)];
   int side = int(part.depth);
   gl_Position = vec4(0.0, 0.0, 2.0, 1.0); // a piece too many has no area
   anchor = vec3(0.0);
