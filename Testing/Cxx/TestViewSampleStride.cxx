@@ -5,6 +5,8 @@
 
 #include "vtkImageData.h"
 #include "vtkRTWShadowMapPass.h"
+#include "vtkShadowRenderStepsPass.h"
+#include "vtkUniformShadowMapPass.h"
 
 #include <cmath>
 #include <iostream>
@@ -89,6 +91,37 @@ void TestErrors()
   RTW_CHECK(
     ErrorOf(stage, 8, Pass::PREVIOUS_FRAME) <= 1.05 * ErrorOf(stage, 1, Pass::PREVIOUS_FRAME));
 }
+
+// The focus of few samples holds what that of all does and next to nothing more, however deep the
+// view: its texels are as small.
+void TestFocus()
+{
+  rtwSceneStage stage("town");
+  stage.Window->SetSize(256, 256);
+  double sides[2][2];
+  for (int stride = 1; stride <= 2; ++stride)
+  {
+    vtkNew<vtkUniformShadowMapPass> pass;
+    pass->SetResolution(512);
+    pass->SetViewSampleStride(stride);
+    vtkNew<vtkShadowRenderStepsPass> steps;
+    steps->SetShadowMapPass(pass);
+    stage.Renderer->SetPass(steps);
+    stage.Window->Render();
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      sides[stride - 1][axis] = pass->GetMaximumEffectiveResolution(0, axis);
+      std::cout << "stride " << stride << ": effective resolution " << sides[stride - 1][axis]
+                << std::endl;
+    }
+    steps->ReleaseGraphicsResources(stage.Window);
+    stage.Renderer->SetPass(nullptr);
+  }
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    RTW_CHECK_NEAR(sides[1][axis] / sides[0][axis], 1, 0.01);
+  }
+}
 }
 
 int TestViewSampleStride(int, char*[])
@@ -99,5 +132,6 @@ int TestViewSampleStride(int, char*[])
     CheckProfiles(397, 301, functions, 8, 0.1);
   }
   TestErrors();
+  TestFocus();
   return rtwTestResult();
 }

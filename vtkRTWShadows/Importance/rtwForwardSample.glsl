@@ -38,7 +38,7 @@ LitSample rtwLoadTexel(ivec2 texel, vec4 focus)
   s.w = rtwOnLight(here).z;
   // The inverse of how texels lie on the screen.
   s.footprint = vec2(length(dy), length(dx)) / pixels * side / focus.yw;
-  s.reach = vec2(0.0);
+  s.across = s.footprint;
   s.area = side.x * side.y / (pixels * focus.y * focus.w);
   s.pixels = pixels;
   bool inView = clip.w > 0.0 && all(lessThanEqual(abs(clip.xyz), vec3(clip.w)));

@@ -1,8 +1,7 @@
 // Backward: from a view sample to the light (Rosen 2012, section 4.1).
-LitSample rtwLoadSample(ivec2 index)
+LitSample rtwLoadPixel(ivec2 pixel)
 {
-  SampledSquare square = rtwSquareOf(index, textureSize(rtwSamples, 0));
-  SampledPlane plane = rtwLoadPlane(square.pixel);
+  SampledPlane plane = rtwLoadPlane(pixel);
   vec3 here = rtwOnLight(plane.here);
   vec2 dx = rtwOnLight(plane.right).xy - here.xy;
   vec2 dy = rtwOnLight(plane.above).xy - here.xy;
@@ -13,9 +12,7 @@ LitSample rtwLoadSample(ivec2 index)
   s.onLight = here.xy;
   s.w = here.z;
   s.footprint = vec2(length(vec2(dx.x, dy.x)), length(vec2(dx.y, dy.y)));
-  ivec2 before = square.pixel - square.low;
-  ivec2 away = max(before, square.extent - 1 - before);
-  s.reach = float(max(away.x, away.y)) * (abs(dx) + abs(dy));
+  s.across = abs(dx) + abs(dy);
   s.area = abs(turn);
   s.pixels = 1.0;
   // A surface that faces both viewer and light is seen the other way round from the light plane's back.
@@ -23,28 +20,36 @@ LitSample rtwLoadSample(ivec2 index)
   return s;
 }
 
-const int TILE = 64; // samples a side that a work group of 16 times 16 looks at
+LitSample rtwLoadSample(ivec2 index)
+{
+  return rtwLoadPixel(rtwSquareOf(index, textureSize(rtwSamples, 0)).pixel);
+}
 
-// What a stage does with a sample.
+const int TILE = 64; // samples a side that a work group of 16 times 16 looks at
+const int SAMPLES = TILE * TILE / 256; // of an invocation
+
+// What a stage does with a sample that the light reaches.
 void rtwVisit(LitSample s);
 
-// All samples of the work group's tile that the light reaches.
+// Of the work group's tile those that the invocation looks at; whether there is one.
+bool rtwIsOfTile(int number, out ivec2 index)
+{
+  const int STEPS = TILE / 16;
+  index = ivec2(gl_WorkGroupID.xy) * TILE + ivec2(gl_LocalInvocationID.xy) + 16 * ivec2(number % STEPS, number / STEPS);
+  return all(lessThan(index, rtwSquares(textureSize(rtwSamples, 0))));
+}
+
 void rtwVisitTile()
 {
-  ivec2 size = rtwSquares(textureSize(rtwSamples, 0));
-  ivec2 corner = ivec2(gl_WorkGroupID.xy) * TILE + ivec2(gl_LocalInvocationID.xy);
-  for (int y = 0; y < TILE; y += 16)
+  for (int i = 0; i < SAMPLES; ++i)
   {
-    for (int x = 0; x < TILE; x += 16)
+    ivec2 index;
+    if (rtwIsOfTile(i, index))
     {
-      ivec2 pixel = corner + ivec2(x, y);
-      if (all(lessThan(pixel, size)))
+      LitSample s = rtwLoadSample(index);
+      if (s.used)
       {
-        LitSample s = rtwLoadSample(pixel);
-        if (s.used)
-        {
-          rtwVisit(s);
-        }
+        rtwVisit(s);
       }
     }
   }

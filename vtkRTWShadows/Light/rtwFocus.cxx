@@ -69,19 +69,27 @@ void FocusStage::Reduce(const std::vector<LightFrame>& frames, const std::vector
     {
       start.push_back(any ? Ordered(r.High[k]) : 0u);
     }
+    start.insert(start.end(), { 0xffffffffu, 0xffffffffu, 0u, 0u });
   }
   this->Bounds.Assign(start);
   this->Bounds.BindStorage(0);
   this->Reduction.Use();
   samples.Bind(this->Reduction);
   this->Reduction.Set("rtwFilterWidth", float(filter.World));
+  const int columns = Groups(Groups(samples.GetWidth(), stride), Tile);
+  const int rows = Groups(Groups(samples.GetHeight(), stride), Tile);
+  this->Tiles.Reserve(sizeof(glm::vec4) * columns * rows);
+  this->Tiles.BindStorage(1);
   for (std::size_t layer = 0; layer < frames.size(); ++layer)
   {
     BindLight(this->Reduction, frames[layer], samples.GetView(), stride);
     SetWholeBounds(this->Reduction, frames[layer]);
     this->Reduction.Set("rtwLayer", static_cast<int>(layer));
-    Dispatch(Groups(Groups(samples.GetWidth(), stride), Tile),
-      Groups(Groups(samples.GetHeight(), stride), Tile));
+    for (int pass = 0; pass < (stride > 1 ? 2 : 1); ++pass)
+    {
+      this->Reduction.Set("rtwClosely", pass);
+      Dispatch(columns, rows);
+    }
   }
   this->Writing.Use();
   table.Bind(this->Writing);
@@ -100,6 +108,7 @@ void FocusStage::Release()
   this->Reduction.Release();
   this->Writing.Release();
   this->Bounds.Release();
+  this->Tiles.Release();
 }
 
 void FocusStage::Abandon()
@@ -107,5 +116,6 @@ void FocusStage::Abandon()
   this->Reduction.Abandon();
   this->Writing.Abandon();
   this->Bounds.Abandon();
+  this->Tiles.Abandon();
 }
 }

@@ -34,7 +34,7 @@ public:
 
 private:
   Program Reduction, Writing;
-  Buffer Bounds;
+  Buffer Bounds, Tiles;
 };
 }
 

@@ -1,15 +1,26 @@
 // The bounds on the light plane of all view samples that the light can reach: the desired view (Rosen 2012, section 5.1; Milet
 // et al. 2015, section 3.3), by parallel reduction.
+//
+// A sample of several pixels does not tell where the others lie. A first pass bounds the samples; where one might stand for more than all
+// samples hold, a second looks at each of its pixels: guessing there would give away much of the map, as a pixel near the horizon is as
+// wide as a landscape.
 layout(local_size_x = 16, local_size_y = 16) in;
 
 layout(std430, binding = 0) buffer Bounds
 {
-  uint rtwBounds[]; // a layer: low s, low t, high s, high t; in an order that unsigned numbers share
+  uint rtwBounds[]; // a layer: low s, low t, high s, high t, in an order that unsigned numbers share; then those of the second pass
+};
+layout(std430, binding = 1) buffer Tiles
+{
+  vec4 rtwTiles[]; // what the pixels of a tile might hold
 };
 uniform int rtwLayer;
+uniform int rtwClosely;       // whether this is the second pass
 uniform float rtwFilterWidth; // how far in the world a filter looks around a receiver
-uniform vec4 rtwWholeBounds; // nothing outside the light's own bounds counts
+uniform vec4 rtwWholeBounds;  // nothing outside the light's own bounds counts
 shared vec4 rtwPartial[256];
+
+const vec4 NOTHING = vec4(1e30, 1e30, -1e30, -1e30);
 
 uint rtwOrdered(float x)
 {
@@ -17,36 +28,119 @@ uint rtwOrdered(float x)
   return (bits & 0x80000000u) != 0u ? ~bits : bits | 0x80000000u;
 }
 
-vec4 rtwSeen = vec4(1e30, 1e30, -1e30, -1e30); // by this invocation
+vec4 rtwSeen = NOTHING; // by this invocation
+vec4 rtwMaybe = NOTHING;
 
-// It speaks for the pixels around it too.
-void rtwVisit(LitSample s)
+vec4 rtwUnited(vec4 a, vec4 b)
 {
-  vec2 reach = s.reach + rtwFilterWidth / s.w;
-  rtwSeen = vec4(min(rtwSeen.xy, s.onLight - reach), max(rtwSeen.zw, s.onLight + reach));
+  return vec4(min(a.xy, b.xy), max(a.zw, b.zw));
 }
 
-void main()
+vec4 rtwAround(vec2 centre, vec2 reach)
 {
-  rtwVisitTile();
+  return vec4(centre - reach, centre + reach);
+}
+
+// What the sample's pixels might hold: twice as far as a plane goes, which nears the horizon ever faster.
+vec4 rtwHeldMaybe(LitSample s)
+{
+  return rtwAround(s.onLight, rtwFilterWidth / s.w + 2.0 * float(rtwStride - 1) * s.across);
+}
+
+void rtwVisit(LitSample s)
+{
+  rtwSeen = rtwUnited(rtwSeen, rtwAround(s.onLight, vec2(rtwFilterWidth / s.w)));
+  rtwMaybe = rtwUnited(rtwMaybe, rtwHeldMaybe(s));
+}
+
+// Of all invocations, in the first's place.
+void rtwReduce(vec4 mine)
+{
   uint me = gl_LocalInvocationIndex;
-  rtwPartial[me] = rtwSeen;
+  rtwPartial[me] = mine;
   barrier();
   for (uint step = 128u; step > 0u; step /= 2u)
   {
     if (me < step)
     {
-      vec4 other = rtwPartial[me + step];
-      rtwPartial[me] = vec4(min(rtwPartial[me].xy, other.xy), max(rtwPartial[me].zw, other.zw));
+      rtwPartial[me] = rtwUnited(rtwPartial[me], rtwPartial[me + step]);
     }
     barrier();
   }
-  if (me == 0u && rtwPartial[0].x <= rtwPartial[0].z)
+}
+
+vec4 rtwKept(vec4 found)
+{
+  return vec4(max(found.xy, rtwWholeBounds.xy), min(found.zw, rtwWholeBounds.zw));
+}
+
+void rtwAddBounds(vec4 found)
+{
+  int first = 8 * rtwLayer + 4 * rtwClosely;
+  atomicMin(rtwBounds[first], rtwOrdered(found.x));
+  atomicMin(rtwBounds[first + 1], rtwOrdered(found.y));
+  atomicMax(rtwBounds[first + 2], rtwOrdered(found.z));
+  atomicMax(rtwBounds[first + 3], rtwOrdered(found.w));
+}
+
+// True where the samples' bounds hold all of that.
+bool rtwIsSettled(vec4 maybe)
+{
+  int first = 8 * rtwLayer;
+  return maybe.x > maybe.z ||
+    (rtwOrdered(maybe.x) >= rtwBounds[first] && rtwOrdered(maybe.y) >= rtwBounds[first + 1] &&
+      rtwOrdered(maybe.z) <= rtwBounds[first + 2] && rtwOrdered(maybe.w) <= rtwBounds[first + 3]);
+}
+
+void rtwLookClosely(ivec2 index)
+{
+  LitSample s = rtwLoadSample(index);
+  if (!s.used || rtwIsSettled(rtwHeldMaybe(s)))
   {
-    vec4 found = vec4(max(rtwPartial[0].xy, rtwWholeBounds.xy), min(rtwPartial[0].zw, rtwWholeBounds.zw));
-    atomicMin(rtwBounds[4 * rtwLayer], rtwOrdered(found.x));
-    atomicMin(rtwBounds[4 * rtwLayer + 1], rtwOrdered(found.y));
-    atomicMax(rtwBounds[4 * rtwLayer + 2], rtwOrdered(found.z));
-    atomicMax(rtwBounds[4 * rtwLayer + 3], rtwOrdered(found.w));
+    return;
+  }
+  SampledSquare square = rtwSquareOf(index, textureSize(rtwSamples, 0));
+  for (int k = 0; k < square.extent.x * square.extent.y; ++k)
+  {
+    s = rtwLoadPixel(square.low + ivec2(k % square.extent.x, k / square.extent.x));
+    if (s.used)
+    {
+      rtwVisit(s);
+    }
+  }
+}
+
+void main()
+{
+  uint tile = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
+  if (rtwClosely == 0)
+  {
+    rtwVisitTile();
+    rtwReduce(rtwMaybe);
+    if (gl_LocalInvocationIndex == 0u)
+    {
+      rtwTiles[tile] = rtwKept(rtwPartial[0]);
+    }
+    barrier();
+  }
+  else if (rtwIsSettled(rtwTiles[tile]))
+  {
+    return;
+  }
+  else
+  {
+    for (int i = 0; i < SAMPLES; ++i)
+    {
+      ivec2 index;
+      if (rtwIsOfTile(i, index))
+      {
+        rtwLookClosely(index);
+      }
+    }
+  }
+  rtwReduce(rtwSeen);
+  if (gl_LocalInvocationIndex == 0u && rtwPartial[0].x <= rtwPartial[0].z)
+  {
+    rtwAddBounds(rtwKept(rtwPartial[0]));
   }
 }

@@ -19,9 +19,15 @@ float rtwUnordered(uint bits)
 
 void main()
 {
-  vec4 found = vec4(rtwUnordered(rtwBounds[4 * rtwLayer]), rtwUnordered(rtwBounds[4 * rtwLayer + 1]),
-    rtwUnordered(rtwBounds[4 * rtwLayer + 2]), rtwUnordered(rtwBounds[4 * rtwLayer + 3]));
-  bool any = rtwBounds[4 * rtwLayer] != 0xffffffffu && all(lessThanEqual(found.xy, found.zw));
+  int first = 8 * rtwLayer;
+  uvec4 ordered;
+  for (int k = 0; k < 2; ++k)
+  {
+    ordered[k] = min(rtwBounds[first + k], rtwBounds[first + 4 + k]);
+    ordered[2 + k] = max(rtwBounds[first + 2 + k], rtwBounds[first + 6 + k]);
+  }
+  vec4 found = vec4(rtwUnordered(ordered.x), rtwUnordered(ordered.y), rtwUnordered(ordered.z), rtwUnordered(ordered.w));
+  bool any = ordered.x != 0xffffffffu && all(lessThanEqual(found.xy, found.zw));
   vec4 bounds = any ? found : rtwWholeBounds;
   vec2 margin = rtwMargin * (bounds.zw - bounds.xy) + 1e-6 * (rtwWholeBounds.zw - rtwWholeBounds.xy);
   vec2 low = bounds.xy - margin;

@@ -10,8 +10,8 @@ struct LitSample
   vec2 onLight;
   float w;
   vec2 footprint; // of a pixel
-  vec2 reach;     // to the farthest of the pixels that it speaks for
-  float area;     // of that
+  vec2 across;    // the bounds of that
+  float area;     // and its area
   float pixels;   // that it stands for
 };
 
