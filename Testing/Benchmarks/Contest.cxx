@@ -134,13 +134,15 @@ void Contest::Compare(Place& own, int place, int step)
   }
 }
 
-// Whose masks spoil the scene have them when all is measured. Kept maps do not flicker.
+// Whose masks spoil the scene have them when all is measured, and flicker told from the first place
+// alone, as each costs frames. Kept maps do not flicker.
 void Contest::CompareLate(Place& own)
 {
   const auto truths = TruthsOf(this->On, this->Settings);
   for (int place = 0; truths->Find(place, 0); ++place)
   {
-    for (int step = 0; truths->Find(place, step) && (step == 0 || own.IsRebuilding); ++step)
+    for (int step = 0;
+         truths->Find(place, step) && (step == 0 || (place == 0 && own.IsRebuilding)); ++step)
     {
       own.Way.MoveTo(place, step);
       this->Compare(own, place, step);

@@ -27,6 +27,7 @@ Setups Maps(const Options& options)
       Setup setup = StartSetup("maps", options);
       setup.Scene = scene;
       setup.Resolution = resolution;
+      setup.IsHeavy = resolution > 2048;
       setup.Flickers = !options.Quick;
       setups.push_back(setup);
     }
