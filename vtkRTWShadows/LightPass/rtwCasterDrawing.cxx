@@ -217,10 +217,10 @@ void CasterDrawing::DrawTriangles(const Layer& layer, int clusters)
   if (layer.Options.Bends == Bending::Tessellated)
   {
     this->Prepare(this->Patches, layer);
-    this->Patches.Set("rtwPatchSide", PatchSide);
-    this->Pulled.DrawIndirect(this->Work, PatchDrawOffset, clusters, WorkBytes);
     this->Patches.Set("rtwPatchSide", 1);
     this->Pulled.DrawIndirect(this->Work, WholeDrawOffset, clusters, WorkBytes);
+    this->Patches.Set("rtwPatchSide", PatchSide);
+    this->Pulled.DrawIndirect(this->Work, PatchDrawOffset, clusters, WorkBytes);
   }
   this->Straight.Use();
   this->Pulled.DrawIndirect(this->Work, 0, clusters, WorkBytes);

@@ -1,5 +1,5 @@
 // The triangles of a cluster that hide anything, made ready to be drawn: straight where the warp doesn't bend them measurably, and
-// otherwise covered, so that each fragment decides in unwarped light space.
+// otherwise covered, so that each fragment decides in unwarped light space, or tessellated.
 //
 // Edges and plane are homogeneous (Olano and Greer 1997), so that a triangle that reaches behind a spot needs no clipping but for its
 // bounds.
@@ -84,17 +84,18 @@ void rtwSetUp(uint triangle)
   vec2 shift = vec2(rtwShift(rtwLayer, 0, t.low.x, t.high.x), rtwShift(rtwLayer, 1, t.low.y, t.high.y));
   bool straight = 3u * triangle >= rtwWork[gl_WorkGroupID.x].bentEnd ||
     (max(bend.x, bend.y) <= rtwAllowedBend && dot(abs(p.slope), shift) <= ALLOWED_ERROR);
+  uint caster = MOST_TRIANGLES * gl_WorkGroupID.x + triangle;
   if (straight && !t.crosses)
   {
     rtwDrawStraight(t, p.slope, u);
   }
   else if (rtwTessellating != 0 && !t.crosses)
   {
-    rtwTessellate(t, p.slope, MOST_TRIANGLES * gl_WorkGroupID.x + triangle, u);
+    rtwTessellate(t, p.slope, caster, u);
   }
   else
   {
-    rtwDrawBent(t, p, MOST_TRIANGLES * gl_WorkGroupID.x + triangle, u, bend);
+    rtwDrawBent(t, p, caster, u, bend);
   }
 }
 

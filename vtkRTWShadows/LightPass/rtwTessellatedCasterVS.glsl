@@ -35,14 +35,13 @@ vec2 rtwCorner(int piece, int corner, int side)
   return at + (corner == 0 ? one : corner == 1 ? two : three);
 }
 
-vec3 rtwOnMap(vec4 point)
+vec2 rtwOnMap(vec4 point)
 {
-  vec3 q = point.xyz / point.w;
-  return vec3(rtwWarp(rtwLayer, q.xy), q.z);
+  return rtwWarp(rtwLayer, point.xy / point.w);
 }
 
 // The way from a to b, `t` of it, along so many straight pieces; the same from b to a.
-vec3 rtwOnEdge(vec4 a, vec4 b, float t, float pieces)
+vec2 rtwOnEdge(vec4 a, vec4 b, float t, float pieces)
 {
   if (a.x > b.x || (a.x == b.x && (a.y > b.y || (a.y == b.y && a.z > b.z))))
   {
@@ -54,26 +53,30 @@ vec3 rtwOnEdge(vec4 a, vec4 b, float t, float pieces)
   float at = t * pieces;
   float first = min(floor(at + 1e-3), pieces - 1.0);
   float f = at - first;
-  vec3 low = rtwOnMap(mix(a, b, first / pieces));
+  vec2 low = rtwOnMap(mix(a, b, first / pieces));
   return f < 2e-3 ? low : mix(low, rtwOnMap(mix(a, b, (first + 1.0) / pieces)), f);
 }
 
-vec3 rtwTessellated(BentCaster caster, vec2 at)
+vec2 rtwTessellated(BentCaster caster, vec2 at)
 {
-  if (rtwPatchSide == 1)
-  {
-    return rtwOnMap(caster.edges[at.x > 0.0 ? 1 : at.y > 0.0 ? 2 : 0]);
-  }
   vec2 counts = floor(caster.anchor.zw / PIECES);
   vec2 others = caster.anchor.zw - PIECES * counts;
   float pieces = counts.x;
   vec4 a = caster.edges[0];
   vec4 b = caster.edges[1];
   vec4 c = caster.edges[2];
-  vec3 onMap = rtwOnMap(a + (b - a) * (at.x / pieces) + (c - a) * (at.y / pieces));
+  vec2 onMap = rtwOnMap(a + (b - a) * (at.x / pieces) + (c - a) * (at.y / pieces));
   onMap = at.y == 0.0 ? rtwOnEdge(a, b, at.x / pieces, others.x) : onMap;
   onMap = at.x + at.y == pieces ? rtwOnEdge(b, c, at.y / pieces, counts.y) : onMap;
   return at.x == 0.0 ? rtwOnEdge(c, a, 1.0 - at.y / pieces, others.y) : onMap;
+}
+
+// Where in its triangle, in pieces, a vertex of a patch lies.
+vec2 rtwAt(CasterCover patch_, int k, int side)
+{
+  vec2 local = rtwCorner(k / 3, k % 3, side) / float(side);
+  vec2 at = patch_.corners[0] + local.x * (patch_.corners[1] - patch_.corners[0]) + local.y * (patch_.corners[2] - patch_.corners[0]);
+  return floor(at + 0.5);
 }
 
 void main()
@@ -83,7 +86,8 @@ void main()
   int k = gl_VertexID - int(vertices * i);
   uint cluster = i / MOST_COVERS;
   uint number = i - MOST_COVERS * cluster;
-  CasterCover part = rtwCovers[MOST_COVERS * (cluster + MOST_CLUSTERS) + (rtwPatchSide == 1 ? rtwPlaceOfWhole(number) : number)];
+  CasterCover part = rtwCovers[rtwPatchSide == 1 ? MOST_COVERS * cluster + rtwPlaceOfWhole(number)
+                                                 : MOST_COVERS * (cluster + MOST_CLUSTERS) + number];
   int side = int(part.depth);
   gl_Position = vec4(0.0, 0.0, 2.0, 1.0); // a piece too many has no area
   anchor = vec3(0.0);
@@ -92,15 +96,13 @@ void main()
   if (k / 3 < side * side)
   {
     BentCaster caster = rtwBent[part.caster];
-    vec2 local = rtwCorner(k / 3, k % 3, side) / float(side);
-    vec2 at = part.corners[0] + local.x * (part.corners[1] - part.corners[0]) + local.y * (part.corners[2] - part.corners[0]);
-    vec3 onMap = rtwTessellated(caster, floor(at + 0.5));
+    vec2 onMap = side == 1 ? part.corners[k] : rtwTessellated(caster, rtwAt(part, k, side));
     slope = caster.anchor.xy;
     vec3 a = caster.edges[0].xyz / caster.edges[0].w;
     float b = caster.edges[1].z / caster.edges[1].w;
     float c = caster.edges[2].z / caster.edges[2].w;
     anchor = a;
     depthRange = vec2(min(a.z, min(b, c)), max(a.z, max(b, c)));
-    gl_Position = vec4(2.0 * onMap - 1.0, 1.0);
+    gl_Position = vec4(2.0 * onMap - 1.0, 0.0, 1.0); // depth is the fragments' to say
   }
 }
