@@ -303,24 +303,54 @@ void TestChanges()
   check("automatic again");
 }
 
+// The direction in the world of a map's s axis.
+glm::dvec3 AxisOf(rtwShadowStage& stage)
+{
+  vtkNew<vtkMatrix4x4> matrix;
+  RTW_CHECK(stage.Pass->GetLightPlaneMatrix(0, 0, matrix));
+  return glm::normalize(
+    glm::dvec3(matrix->GetElement(0, 0), matrix->GetElement(0, 1), matrix->GetElement(0, 2)));
+}
+
+// Seen from elsewhere the other turn is best.
+vtkLight* AddFenceInSun(rtwShadowStage& stage, double azimuth)
+{
+  stage.AddFloor();
+  AddFence(stage, 30);
+  stage.Pass->SetLightPlaneTurn(Automatic);
+  stage.Renderer->GetActiveCamera()->Azimuth(azimuth);
+  stage.Renderer->ResetCameraClippingRange();
+  return stage.AddSun(3, 1.5, 2);
+}
+
+glm::dvec3 AxisForFenceAlone(double azimuth)
+{
+  rtwShadowStage stage;
+  AddFenceInSun(stage, azimuth);
+  for (int frame = 0; frame < 4; ++frame)
+  {
+    stage.Render();
+  }
+  return AxisOf(stage);
+}
+
 // One pass for two renderers: the choice for one is not that for the other.
 void TestSharedPass()
 {
+  const double azimuths[] = { 0, 170 };
+  const glm::dvec3 alone[] = { AxisForFenceAlone(azimuths[0]),
+    AxisForFenceAlone(azimuths[1]) };
+  RTW_CHECK(glm::distance(alone[0], alone[1]) > 0.1); // else nothing is told apart
   rtwShadowStage stage;
-  stage.AddFloor();
-  AddFence(stage, 30);
-  vtkLight* sun = stage.AddSun(3, 1.5, 2);
-  stage.Pass->SetLightPlaneTurn(Automatic);
-  stage.Window->SetSize(640, 240);
+  vtkLight* sun = AddFenceInSun(stage, azimuths[0]);
+  stage.Window->SetSize(600, 200);
   stage.Renderer->SetViewport(0, 0, 0.5, 1);
   vtkNew<vtkShadowRenderStepsPass> steps;
   steps->SetShadowMapPass(stage.Pass);
   rtwShadowStage second;
   second.Pass = stage.Pass;
   second.Name = "shared pass";
-  second.AddFloor();
-  AddFence(second, 75);
-  vtkLight* other = second.AddSun(3, 1.5, 2);
+  vtkLight* other = AddFenceInSun(second, azimuths[1]);
   second.Window->RemoveRenderer(second.Renderer);
   second.Renderer->SetPass(steps);
   second.Renderer->SetViewport(0.5, 0, 1, 1);
@@ -329,6 +359,10 @@ void TestSharedPass()
   for (int frame = 0; frame < 4; ++frame)
   {
     stage.Render();
+    const glm::dvec3 axis = AxisOf(second); // it is drawn last
+    std::cout << "shared pass: the axis is " << glm::distance(axis, alone[0]) << " and "
+              << glm::distance(axis, alone[1]) << " from those for one renderer each" << std::endl;
+    RTW_CHECK(glm::distance(axis, alone[1]) < 1e-6);
   }
   Check(second, other, 0, 0.3);
   CheckChoice(second, other, 0);
