@@ -15,6 +15,7 @@
 #include "rtwFocusMatrices.h"
 #include "rtwGeometryStore.h"
 #include "rtwOpenGL.h"
+#include "rtwPatchClasses.h"
 #include "rtwSetUpCasters.h"
 #include "rtwStraightCasterFS.h"
 #include "rtwStraightCasterVS.h"
@@ -43,24 +44,24 @@ constexpr double NearestWShare = 0.01;
 constexpr int BatchSize = 128;
 constexpr std::size_t MostTriangles = MeshCluster::MaximumTriangles;
 constexpr std::size_t MostCovers = 3072; // a cluster
+// Of patches, themselves triangles of 1, 2, 4, 8 and 16 pieces along an edge at most.
+constexpr std::size_t PatchClasses = 5;
 // What the shaders keep of a cluster, by the rules of std430.
-constexpr std::size_t WorkBytes = 96 + 4 * MostTriangles;
+constexpr std::size_t WorkBytes = 64 + 16 * PatchClasses + 4 * MostTriangles;
 constexpr std::size_t StraightBytes = 48 * MostTriangles;
 constexpr std::size_t BentBytes = 64 * MostTriangles;
 constexpr std::size_t CoverBytes = 32 * MostCovers;
+constexpr std::size_t PatchBytes = 32 * (PatchClasses - 1) * MostTriangles; // of all classes but the last
 constexpr std::size_t BentDrawOffset = 16; // in a cluster's work
 constexpr std::size_t PatchDrawOffset = 32;
-constexpr std::size_t WholeDrawOffset = 48;
-// Of a patch, itself a triangle of so many pieces along an edge.
-constexpr int PatchSide = 8;
 
 std::string Limits()
 {
   return "const uint MOST_TRIANGLES = " + std::to_string(MostTriangles) +
     "u;\nconst uint MOST_COVERS = " + std::to_string(MostCovers) +
     "u;\nconst uint MOST_CLUSTERS = " + std::to_string(BatchSize) +
-    "u;\nconst int PATCH_SIDE = " + std::to_string(PatchSide) +
-    ";\nconst uint PATCH_VERTICES = " + std::to_string(3 * PatchSide * PatchSide) + "u;\n";
+    "u;\nconst uint PATCH_CLASSES = " + std::to_string(PatchClasses) +
+    "u;\nconst int PATCH_SIDE = " + std::to_string(1 << (PatchClasses - 1)) + ";\n";
 }
 
 float NearestW(const LightFrame& frame)
@@ -97,23 +98,23 @@ bool CasterDrawing::Build(const WarpShape& warp, TableAccess access)
   return this->Focusing.Build(
            { { GL_COMPUTE_SHADER, { stored, rtwWarpFocus, rtwFocusMatrices } } }) &&
     this->Culling.Build({ { GL_COMPUTE_SHADER,
-      { stored, rtwWarpFocus, warp.Bend, rtwClusterDraw, limits.c_str(), rtwCasterWork,
-        rtwCullCasters } } }) &&
+      { stored, rtwWarpFocus, warp.Bend, rtwClusterDraw, limits.c_str(), rtwPatchClasses,
+        rtwCasterWork, rtwCullCasters } } }) &&
     this->CullingTriangles.Build({ { GL_COMPUTE_SHADER,
       { stored, rtwWarpFocus, warp.Function, limits.c_str(), rtwCasterWork, rtwCasterTriangle,
         rtwCullTriangles } } }) &&
     this->SettingUp.Build({ { GL_COMPUTE_SHADER,
       { stored, rtwWarpFocus, warp.Function, warp.Bend, limits.c_str(), rtwCasterWork,
-        rtwCasterTriangle, rtwCasterRecords, rtwCoverCasters, rtwTessellateCasters,
+        rtwCasterTriangle, rtwCasterRecords, rtwPatchClasses, rtwCoverCasters, rtwTessellateCasters,
         rtwSetUpCasters } } }) &&
-    this->Straight.Build({ { GL_VERTEX_SHADER, { limits.c_str(), rtwCasterRecords, rtwStraightCasterVS } },
+    this->Straight.Build({ { GL_VERTEX_SHADER, { rtwCasterRecords, rtwStraightCasterVS } },
       { GL_FRAGMENT_SHADER, { rtwCasterGradient, rtwStraightCasterFS } } }) &&
-    this->Bent.Build({ { GL_VERTEX_SHADER, { limits.c_str(), rtwCasterRecords, rtwBentCasterVS } },
+    this->Bent.Build({ { GL_VERTEX_SHADER, { rtwCasterRecords, rtwBentCasterVS } },
       { GL_FRAGMENT_SHADER,
         { stored, rtwWarpFocus, warp.Function, rtwCasterGradient, rtwCasterPlane, rtwBentCasterFS } } }) &&
     this->Patches.Build({ { GL_VERTEX_SHADER,
-                            { stored, rtwWarpFocus, warp.Function, limits.c_str(), rtwCasterRecords,
-                              rtwTessellatedCasterVS } },
+                            { stored, rtwWarpFocus, warp.Function, limits.c_str(), rtwPatchClasses,
+                              rtwCasterRecords, rtwTessellatedCasterVS } },
       { GL_FRAGMENT_SHADER,
         { stored, rtwWarpFocus, warp.Function, rtwCasterGradient, rtwCasterPlane,
           rtwTessellatedCasterFS } } }) &&
@@ -195,7 +196,8 @@ void CasterDrawing::SetUp(const Layer& layer, int clusters)
   this->BentCasters.Reserve(BentBytes * clusters);
   // Patches lie behind the covers.
   const bool tessellates = layer.Options.Bends == Bending::Tessellated;
-  this->Covers.Reserve(CoverBytes * (tessellates ? BatchSize + clusters : clusters));
+  this->Covers.Reserve(
+    tessellates ? BatchSize * (2 * CoverBytes + PatchBytes) : CoverBytes * clusters);
   layer.Store.GetPoints().BindStorage(0);
   layer.Store.GetIndices().BindStorage(1);
   this->Matrices.BindStorage(2);
@@ -217,10 +219,11 @@ void CasterDrawing::DrawTriangles(const Layer& layer, int clusters)
   if (layer.Options.Bends == Bending::Tessellated)
   {
     this->Prepare(this->Patches, layer);
-    this->Patches.Set("rtwPatchSide", 1);
-    this->Pulled.DrawIndirect(this->Work, WholeDrawOffset, clusters, WorkBytes);
-    this->Patches.Set("rtwPatchSide", PatchSide);
-    this->Pulled.DrawIndirect(this->Work, PatchDrawOffset, clusters, WorkBytes);
+    for (std::size_t k = 0; k < PatchClasses; ++k)
+    {
+      this->Patches.Set("rtwPatchClass", static_cast<int>(k));
+      this->Pulled.DrawIndirect(this->Work, PatchDrawOffset + 16 * k, clusters, WorkBytes);
+    }
   }
   this->Straight.Use();
   this->Pulled.DrawIndirect(this->Work, 0, clusters, WorkBytes);

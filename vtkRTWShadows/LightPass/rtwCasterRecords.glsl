@@ -21,16 +21,10 @@ const float PIECES = 1024.0;
 
 // A part of the map that holds a bent triangle, or a slice of one: a triangle, or the parallelogram that it is half of. Or a patch, by its
 // corners in pieces along the first two edges from the first corner; `depth` is its own number of pieces along an edge then. Corners of a
-// whole triangle are on the map.
+// triangle that is a single piece are on the map. Patches lie behind the covers, class by class.
 struct CasterCover
 {
   vec2 corners[3];
   uint caster; // twice its index, and 1 for a parallelogram
   float depth;
 };
-
-// Of a cluster's covers and patches those of a single piece come last, from the end.
-uint rtwPlaceOfWhole(uint number)
-{
-  return MOST_COVERS - 1u - number;
-}

@@ -1,12 +1,11 @@
-// A cluster on its way through the light pass: what the culling leaves of it, and the four draw calls that its triangles' set-up fills.
+// A cluster on its way through the light pass: what the culling leaves of it, and the draw calls that its triangles' set-up fills.
 //
 // Each cluster has its own place in the lists of triangles, so that they are drawn in the same order whenever they are set up.
 struct CasterWork
 {
   uint straightDraw[4]; // vertices, instances, first vertex, first instance
   uint bentDraw[4];
-  uint patchDraw[4];
-  uint wholeDraw[4]; // of what is a single piece
+  uint patchDraw[4 * PATCH_CLASSES]; // with 1, 2, 4 … pieces along an edge
   uint firstIndex;
   uint baseVertex;
   uint instance;

@@ -89,8 +89,13 @@ void main()
   uint bent = !casts ? 0u : crosses ? end : rtwBending == 0 ? 0u : rtwBentIndices(cluster, m, e);
   rtwWork[i].straightDraw = uint[4](0u, 1u, 3u * MOST_TRIANGLES * i, 0u);
   rtwWork[i].bentDraw = uint[4](0u, 1u, 6u * MOST_COVERS * i, 0u);
-  rtwWork[i].patchDraw = uint[4](0u, 1u, PATCH_VERTICES * MOST_COVERS * i, 0u);
-  rtwWork[i].wholeDraw = uint[4](0u, 1u, 3u * MOST_COVERS * i, 0u);
+  for (uint k = 0u; k < PATCH_CLASSES; ++k)
+  {
+    rtwWork[i].patchDraw[4u * k] = 0u;
+    rtwWork[i].patchDraw[4u * k + 1u] = 1u;
+    rtwWork[i].patchDraw[4u * k + 2u] = rtwPatchVertices(k) * rtwPatchesOf(k) * i;
+    rtwWork[i].patchDraw[4u * k + 3u] = 0u;
+  }
   rtwWork[i].firstIndex = cluster.firstIndex;
   rtwWork[i].baseVertex = cluster.baseVertex;
   rtwWork[i].instance = draw.instance;

@@ -13,7 +13,7 @@ layout(std430, binding = 6) readonly buffer Covers
   CasterCover rtwCovers[];
 };
 uniform int rtwLayer;
-uniform int rtwPatchSide; // of all patches of the draw call; 1: of a single piece
+uniform int rtwPatchClass; // of the draw call
 flat out vec3 anchor;
 flat out vec2 slope;
 flat out vec2 depthRange;
@@ -81,13 +81,10 @@ vec2 rtwAt(CasterCover patch_, int k, int side)
 
 void main()
 {
-  uint vertices = 3u * uint(rtwPatchSide * rtwPatchSide);
-  uint i = uint(gl_VertexID) / vertices;
-  int k = gl_VertexID - int(vertices * i);
-  uint cluster = i / MOST_COVERS;
-  uint number = i - MOST_COVERS * cluster;
-  CasterCover part = rtwCovers[rtwPatchSide == 1 ? MOST_COVERS * cluster + rtwPlaceOfWhole(number)
-                                                 : MOST_COVERS * (cluster + MOST_CLUSTERS) + number];
+  uint kind = uint(rtwPatchClass);
+  uint i = uint(gl_VertexID) / rtwPatchVertices(kind);
+  int k = gl_VertexID - int(rtwPatchVertices(kind) * i);
+  CasterCover part = rtwCovers[rtwPatchPlace(kind) + i];
   int side = int(part.depth);
   gl_Position = vec4(0.0, 0.0, 2.0, 1.0); // a piece too many has no area
   anchor = vec3(0.0);
