@@ -245,7 +245,12 @@ Setups MakeClaims(const Options& options)
   };
   std::vector<Contestant> error = Yardsticks(), flicker = error;
   error.insert(error.end(), { at(rtw, 512), WholeScene("whole-scene", 2048) });
-  flicker.insert(flicker.end(), { at(rtw, 1024), at(rtw, 2048), at({ "uniform" }, 4096) });
+  Contestant snapping = at(rtw, 1024);
+  snapping.Variant = "snapping";
+  snapping.Settings.Snapping = true;
+  snapping.LeadsIn = true;
+  flicker.insert(
+    flicker.end(), { at(rtw, 1024), snapping, at(rtw, 2048), at({ "uniform" }, 4096) });
   Setups setups = Grid("claims", options, scenes, { 1024 }, error);
   for (Setup& setup : setups)
   {

@@ -54,12 +54,17 @@ void AddErrors(const Selection& lines, Claims& claims)
 
 void AddFlicker(const Selection& lines, Claims& claims)
 {
-  for (const std::string map : { "1024", "2048" })
+  const std::pair<const char*, const char*> maps[] = { { "1024", "" }, { "1024", "snapping" },
+    { "2048", "" } };
+  for (const auto& [map, variant] : maps)
   {
-    const std::string claim = "flicker of " + map + "² beside uniform 4096²";
+    const std::string claim = std::string("flicker of ") + map + "²" +
+      (*variant ? std::string(", ") + variant + "," : "") + " beside uniform 4096²";
     for (const std::string& scene : ValuesOf(lines, "scene"))
     {
-      const Line* own = Find(lines, "flicker", scene, "rtw", map);
+      const Line* own = Pick(lines,
+        { { "claim", "flicker" }, { "scene", scene }, { "technique", "rtw" }, { "map", map },
+          { "variant", variant } });
       const Line* other = Find(lines, "flicker", scene, "uniform", "4096");
       if (own && other && own->Has("flicker_percent") && other->Has("flicker_percent"))
       {
