@@ -22,6 +22,9 @@ struct Contestant
   bool LeadsIn = false; // whether a frame that does not count goes before those of each place,
                         // for what looks at the last frame
 
+  /// Whether its frames take seconds in software, so that it takes part when it is named.
+  bool IsSlow() const { return this->Technique == "notw"; }
+
   /// As in "technique:rtw/variant:linear".
   std::string Name() const;
 };

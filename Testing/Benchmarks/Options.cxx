@@ -39,7 +39,7 @@ std::vector<rtw::CommandLineOption> Entries(Options& options)
       [&](const std::string& value) {
         options.Scenes = ReadNames("--scene", value, SetupSceneNames());
       } },
-    { "--technique", "NAME,...", "besides VTK's own; default all",
+    { "--technique", "NAME,...", "besides VTK's own; default all but notw, which is slow",
       [&](const std::string& value) {
         options.Techniques = ReadNames("--technique", value, TechniqueNames());
       } },

@@ -14,7 +14,7 @@ struct Options
   bool Quick = false;
   std::vector<std::string> Families;   // those by default if empty
   std::vector<std::string> Scenes;     // of families that go over scenes; their own if empty
-  std::vector<std::string> Techniques; // all if empty
+  std::vector<std::string> Techniques; // if empty, all that aren't slow
   std::vector<int> Resolutions;        // of maps; the families' own if empty
   std::pair<int, int> Size{ 0, 0 };    // of the picture; 0 for 512 x 512, or 256 x 256 if quick
   int Triangles = 0;                   // of scenes; 0 for their own, or 20 000 if quick

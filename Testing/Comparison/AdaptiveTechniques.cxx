@@ -5,6 +5,8 @@
 #include "rtwMapTexels.h"
 
 #include <vtkImageData.h>
+#include <vtkNonOrthogonalShadowMapWarp.h>
+#include <vtkNoTWShadowMapPass.h>
 #include <vtkRectilinearShadowMapWarp.h>
 #include <vtkRenderer.h>
 #include <vtkRTWShadowMapPass.h>
@@ -217,6 +219,19 @@ std::unique_ptr<Technique> MakeRTWTechnique(const TechniqueSettings& settings)
 {
   vtkNew<vtkRTWShadowMapPass> pass;
   ConfigureImportance(pass->GetRectilinearWarp(), settings);
+  return std::make_unique<AdaptiveTechnique>(pass, settings);
+}
+
+std::unique_ptr<Technique> MakeNoTWTechnique(const TechniqueSettings& settings)
+{
+  vtkNew<vtkNoTWShadowMapPass> pass;
+  for (const Importance importance : settings.ImportanceKinds)
+  {
+    if (importance == Importance::SAMPLE_COUNT)
+    {
+      pass->GetNonOrthogonalWarp()->SetWeightsToCount();
+    }
+  }
   return std::make_unique<AdaptiveTechnique>(pass, settings);
 }
 }

@@ -19,6 +19,7 @@ const Entry ENTRIES[] = {
   { "vtk", "VTK's own vtkShadowMapPass", MakeVtkTechnique },
   { "uniform", "vtkUniformShadowMapPass, the conventional map", MakeUniformTechnique },
   { "rtw", "vtkRTWShadowMapPass, rectilinear texture warping", MakeRTWTechnique },
+  { "notw", "vtkNoTWShadowMapPass, non-orthogonal texture warping", MakeNoTWTechnique },
 };
 
 const Entry& Find(const std::string& name)

@@ -168,6 +168,7 @@ std::unique_ptr<Technique> MakeTechnique(
 std::unique_ptr<Technique> MakeVtkTechnique(const TechniqueSettings& settings);
 std::unique_ptr<Technique> MakeUniformTechnique(const TechniqueSettings& settings);
 std::unique_ptr<Technique> MakeRTWTechnique(const TechniqueSettings& settings);
+std::unique_ptr<Technique> MakeNoTWTechnique(const TechniqueSettings& settings);
 }
 
 #endif

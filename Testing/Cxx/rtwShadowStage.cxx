@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rtwShadowStage.h"
 
+#include "vtkNoTWShadowMapPass.h"
 #include "vtkRTWShadowMapPass.h"
 #include "vtkShadowRenderStepsPass.h"
 #include "vtkUniformShadowMapPass.h"
@@ -109,6 +110,10 @@ vtkSmartPointer<vtkAdaptiveShadowMapPass> rtwMakePass(rtwTechnique technique)
   if (technique == rtwTechnique::RTW)
   {
     return vtkSmartPointer<vtkRTWShadowMapPass>::New();
+  }
+  if (technique == rtwTechnique::NoTW)
+  {
+    return vtkSmartPointer<vtkNoTWShadowMapPass>::New();
   }
   auto pass = vtkSmartPointer<vtkUniformShadowMapPass>::New();
   pass->SetFocusOnView(technique == rtwTechnique::Uniform);

@@ -34,7 +34,8 @@ enum class rtwTechnique
 {
   Unfocused,
   Uniform,
-  RTW
+  RTW,
+  NoTW
 };
 
 enum class rtwChain

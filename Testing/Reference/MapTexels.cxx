@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rtwMapTexels.h"
 
-#include "rtwRectilinearWarp.h"
+#include "rtwNonOrthogonalWarp.h"
 
 #include <vtkAdaptiveShadowMapPass.h>
 #include <vtkImageData.h>
@@ -10,20 +10,46 @@
 
 #include <glm/glm.hpp>
 
+#include <functional>
 #include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
 
 namespace rtw
 {
 namespace
 {
-WarpingFunction FunctionOf(vtkImageData* warp, int axis)
+WarpingFunction FunctionOf(vtkImageData* warp, int line, int slice)
 {
   std::vector<double> values;
   for (int i = 0; i < warp->GetDimensions()[0]; ++i)
   {
-    values.push_back(*static_cast<float*>(warp->GetScalarPointer(i, axis, 0)));
+    values.push_back(*static_cast<float*>(warp->GetScalarPointer(i, line, slice)));
   }
   return WarpingFunction::FromValues(values);
+}
+
+WarpingGrid GridOf(vtkImageData* warp, int slice)
+{
+  std::vector<WarpingFunction> lines;
+  for (int line = 0; line < warp->GetDimensions()[1]; ++line)
+  {
+    lines.push_back(FunctionOf(warp, line, slice));
+  }
+  return WarpingGrid::FromFunctions(std::move(lines));
+}
+
+std::function<glm::dvec2(const glm::dvec2&)> TwinOf(vtkImageData* warp)
+{
+  if (warp->GetDimensions()[2] > 1)
+  {
+    const auto twin = std::make_shared<NonOrthogonalWarp>(
+      NonOrthogonalWarp{ {}, GridOf(warp, 0), GridOf(warp, 1) });
+    return [=](const glm::dvec2& q) { return twin->Forward(q); };
+  }
+  const RectilinearWarp twin{ {}, FunctionOf(warp, 0, 0), FunctionOf(warp, 1, 0) };
+  return [=](const glm::dvec2& q) { return twin.Forward(q); };
 }
 }
 
@@ -42,11 +68,11 @@ TexelFunction TexelsOf(vtkAdaptiveShadowMapPass* pass, int light, int layer)
     toPlane[i % 4][i / 4] = matrix->GetElement(i / 4, i % 4);
   }
   const double side = map->GetDimensions()[0];
-  const RectilinearWarp twin{ {}, FunctionOf(warp, 0), FunctionOf(warp, 1) };
+  const auto twin = TwinOf(warp);
   return [=](const glm::dvec3& world) {
     const glm::dvec4 p = toPlane * glm::dvec4(world, 1);
     // Behind a spot there is no map.
-    return p.w > 0 ? twin.Forward(glm::dvec2(p) / p.w) * side
+    return p.w > 0 ? twin(glm::dvec2(p) / p.w) * side
                    : glm::dvec2(std::numeric_limits<double>::quiet_NaN());
   };
 }

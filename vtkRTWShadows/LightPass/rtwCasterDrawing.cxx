@@ -3,12 +3,14 @@
 
 #include "rtwBentCasterFS.h"
 #include "rtwBentCasterVS.h"
+#include "rtwCasterCovers.h"
 #include "rtwCasterGradient.h"
 #include "rtwCasterPlane.h"
 #include "rtwCasterRecords.h"
 #include "rtwCasterTriangle.h"
 #include "rtwCasterWork.h"
 #include "rtwClusterDraw.h"
+#include "rtwCoverByTiles.h"
 #include "rtwCoverCasters.h"
 #include "rtwCullCasters.h"
 #include "rtwCullTriangles.h"
@@ -40,26 +42,24 @@ constexpr float LeastBendInTexels = 0.005f;
 // Of the distance at which a spot's depths start: what is nearer is part of the lamp.
 constexpr double NearestWShare = 0.01;
 
-// Clusters whose triangles are set up at a time; it bounds the memory that takes.
-constexpr int BatchSize = 128;
 constexpr std::size_t MostTriangles = MeshCluster::MaximumTriangles;
-constexpr std::size_t MostCovers = 3072; // a cluster
 // Of patches, themselves triangles of 1, 2, 4, 8 and 16 pieces along an edge at most.
 constexpr std::size_t PatchClasses = 5;
 // What the shaders keep of a cluster, by the rules of std430.
 constexpr std::size_t WorkBytes = 64 + 16 * PatchClasses + 4 * MostTriangles;
 constexpr std::size_t StraightBytes = 48 * MostTriangles;
 constexpr std::size_t BentBytes = 64 * MostTriangles;
-constexpr std::size_t CoverBytes = 32 * MostCovers;
-constexpr std::size_t PatchBytes = 32 * (PatchClasses - 1) * MostTriangles; // of all classes but the last
+constexpr std::size_t CoverBytes = 32;
+constexpr std::size_t FinePatches = (PatchClasses - 1) * MostTriangles; // of all classes but the last
 constexpr std::size_t BentDrawOffset = 16; // in a cluster's work
 constexpr std::size_t PatchDrawOffset = 32;
 
-std::string Limits()
+std::string Limits(const CasterBatch& batch)
 {
-  return "const uint MOST_TRIANGLES = " + std::to_string(MostTriangles) +
-    "u;\nconst uint MOST_COVERS = " + std::to_string(MostCovers) +
-    "u;\nconst uint MOST_CLUSTERS = " + std::to_string(BatchSize) +
+  return "#define SET_UP_GROUP " + std::to_string(batch.Group) +
+    "\nconst uint MOST_TRIANGLES = " + std::to_string(MostTriangles) +
+    "u;\nconst uint MOST_COVERS = " + std::to_string(batch.Covers) +
+    "u;\nconst uint MOST_CLUSTERS = " + std::to_string(batch.Clusters) +
     "u;\nconst uint PATCH_CLASSES = " + std::to_string(PatchClasses) +
     "u;\nconst int PATCH_SIDE = " + std::to_string(1 << (PatchClasses - 1)) + ";\n";
 }
@@ -93,20 +93,23 @@ bool CasterDrawing::Build(const WarpShape& warp, TableAccess access)
     this->Warp = warp.Name;
     this->Access = access;
   }
-  const std::string limits = Limits();
+  // A cluster's few large triangles may need thousands of tiles, and one invocation each to find them.
+  this->Batch = warp.Separable ? CasterBatch{ 128, 3072, 32 } : CasterBatch{ 32, 12288, int(MostTriangles) };
+  const std::string limits = Limits(this->Batch);
   const char* const stored = WarpTable::DefinitionOf(access);
+  const char* const cover = warp.Separable ? rtwCoverCasters : rtwCoverByTiles;
   return this->Focusing.Build(
            { { GL_COMPUTE_SHADER, { stored, rtwWarpFocus, rtwFocusMatrices } } }) &&
     this->Culling.Build({ { GL_COMPUTE_SHADER,
-      { stored, rtwWarpFocus, warp.Bend, rtwClusterDraw, limits.c_str(), rtwPatchClasses,
-        rtwCasterWork, rtwCullCasters } } }) &&
+      { stored, rtwWarpFocus, warp.Function, warp.Bend, rtwClusterDraw, limits.c_str(),
+        rtwPatchClasses, rtwCasterWork, rtwCullCasters } } }) &&
     this->CullingTriangles.Build({ { GL_COMPUTE_SHADER,
-      { stored, rtwWarpFocus, warp.Function, limits.c_str(), rtwCasterWork, rtwCasterTriangle,
-        rtwCullTriangles } } }) &&
+      { stored, rtwWarpFocus, warp.Function, warp.Bend, limits.c_str(), rtwCasterWork,
+        rtwCasterTriangle, rtwCullTriangles } } }) &&
     this->SettingUp.Build({ { GL_COMPUTE_SHADER,
       { stored, rtwWarpFocus, warp.Function, warp.Bend, limits.c_str(), rtwCasterWork,
-        rtwCasterTriangle, rtwCasterRecords, rtwPatchClasses, rtwCoverCasters, rtwTessellateCasters,
-        rtwSetUpCasters } } }) &&
+        rtwCasterTriangle, rtwCasterRecords, rtwPatchClasses, rtwCasterCovers, cover,
+        rtwTessellateCasters, rtwSetUpCasters } } }) &&
     this->Straight.Build({ { GL_VERTEX_SHADER, { rtwCasterRecords, rtwStraightCasterVS } },
       { GL_FRAGMENT_SHADER, { rtwCasterGradient, rtwStraightCasterFS } } }) &&
     this->Bent.Build({ { GL_VERTEX_SHADER, { rtwCasterRecords, rtwBentCasterVS } },
@@ -196,8 +199,9 @@ void CasterDrawing::SetUp(const Layer& layer, int clusters)
   this->BentCasters.Reserve(BentBytes * clusters);
   // Patches lie behind the covers.
   const bool tessellates = layer.Options.Bends == Bending::Tessellated;
-  this->Covers.Reserve(
-    tessellates ? BatchSize * (2 * CoverBytes + PatchBytes) : CoverBytes * clusters);
+  const std::size_t most = this->Batch.Clusters;
+  this->Covers.Reserve(CoverBytes *
+    (tessellates ? most * (2 * this->Batch.Covers + FinePatches) : this->Batch.Covers * clusters));
   layer.Store.GetPoints().BindStorage(0);
   layer.Store.GetIndices().BindStorage(1);
   this->Matrices.BindStorage(2);
@@ -255,9 +259,9 @@ void CasterDrawing::Draw(const GeometryStore& store, const WarpTable& table,
   }
   const Layer layer{ store, table, frame, index, options };
   this->Focus(layer);
-  for (int first = 0; first < store.GetNumberOfDraws(); first += BatchSize)
+  for (int first = 0; first < store.GetNumberOfDraws(); first += this->Batch.Clusters)
   {
-    const int end = std::min(first + BatchSize, store.GetNumberOfDraws());
+    const int end = std::min(first + this->Batch.Clusters, store.GetNumberOfDraws());
     this->Cull(layer, first, end);
     this->SetUp(layer, end - first);
     this->DrawTriangles(layer, end - first);

@@ -41,6 +41,14 @@ struct CasterCounts
   unsigned int Culled = 0;
 };
 
+/// What is set up at a time, so that the memory which that takes is bounded.
+struct CasterBatch
+{
+  int Clusters;
+  std::size_t Covers; ///< a cluster
+  int Group;          ///< invocations for a cluster
+};
+
 class CasterDrawing
 {
 public:
@@ -77,6 +85,7 @@ private:
   void DrawTriangles(const Layer& layer, int clusters);
   void DrawThin(const Layer& layer);
 
+  CasterBatch Batch{ 128, 3072, 32 };
   std::string Warp;
   TableAccess Access = TableAccess::Storage;
   Program Focusing, Culling, CullingTriangles, SettingUp, Straight, Bent, Patches, Thin;

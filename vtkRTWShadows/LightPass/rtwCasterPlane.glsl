@@ -6,7 +6,7 @@ uniform int rtwLayer;
 
 vec2 rtwCentreOfTexel()
 {
-  return rtwTexelCentres(rtwLayer, ivec2(gl_FragCoord.xy)).xz;
+  return rtwTexelCentre(rtwLayer, ivec2(gl_FragCoord.xy));
 }
 
 void rtwWrite(vec2 q)

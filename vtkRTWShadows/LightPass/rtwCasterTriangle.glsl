@@ -25,6 +25,14 @@ struct Caster
   bool crosses; // the plane of a spot
 };
 
+// Its edges and its plane, on the light plane.
+struct CasterPlane
+{
+  vec3 edges[3];
+  vec3 anchor;
+  vec2 slope;
+};
+
 vec4 rtwPoint(uint corner)
 {
   uint i = 3u * (rtwWork[gl_WorkGroupID.x].baseVertex + rtwIndices[rtwWork[gl_WorkGroupID.x].firstIndex + corner]);
@@ -63,12 +71,12 @@ bool rtwSetBounds(inout Caster t)
     t.depths.x <= 1.0;
 }
 
-// The first and last texel along each axis whose centre lies in an interval on the map.
-ivec4 rtwTexels(vec2 low, vec2 high)
+// The first and last texel along each axis whose centre lies in bounds on the map.
+ivec4 rtwTexels(vec4 bounds)
 {
   float side = float(rtwWarpSize.y);
-  vec2 first = ceil(clamp(low, 0.0, 1.0) * side - 0.5 - MARGIN);
-  vec2 last = floor(clamp(high, 0.0, 1.0) * side - 0.5 + MARGIN);
+  vec2 first = ceil(clamp(bounds.xy, 0.0, 1.0) * side - 0.5 - MARGIN);
+  vec2 last = floor(clamp(bounds.zw, 0.0, 1.0) * side - 0.5 + MARGIN);
   return ivec4(max(first, 0.0), min(last, side - 1.0));
 }
 

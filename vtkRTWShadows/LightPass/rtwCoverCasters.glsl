@@ -2,34 +2,10 @@
 // warp can bend. The other is a stack of slices, bands of rows or columns, each as wide as the triangle is there: the warp is separable
 // and monotone, so that it takes an interval on the light plane to one on the map.
 
-layout(std430, binding = 5) writeonly buffer BentCasters
-{
-  BentCaster rtwBent[];
-};
-layout(std430, binding = 6) writeonly buffer Covers
-{
-  CasterCover rtwCovers[];
-};
-
 const int FEW_SLICES = 4; // that there is always room for
 const uint MOST_SLICES = MOST_COVERS - uint(FEW_SLICES) * MOST_TRIANGLES;
 const float ROUNDING = 1e-6;   // a share of a coordinate
 const float SLICE_COST = 33.0; // of a cover, in fragments
-
-void rtwAddCover(uint caster, vec2 a, vec2 b, vec2 c, float depth)
-{
-  uint i = MOST_COVERS * gl_WorkGroupID.x + atomicAdd(rtwWork[gl_WorkGroupID.x].bentDraw[0], 6u) / 6u;
-  rtwCovers[i].corners[0] = a;
-  rtwCovers[i].corners[1] = b;
-  rtwCovers[i].corners[2] = c;
-  rtwCovers[i].caster = caster;
-  rtwCovers[i].depth = depth;
-}
-
-void rtwAddBox(uint caster, vec2 low, vec2 high, float depth)
-{
-  rtwAddCover(2u * caster + 1u, low, vec2(high.x, low.y), vec2(low.x, high.y), depth);
-}
 
 // The triangle whose edges lie farther out by what a box of half that size reaches beyond them.
 void rtwGrow(inout vec2 u[3], vec2 by)
@@ -84,8 +60,7 @@ vec2 rtwSpan(Caster t, int along, float from, float to)
 
 float rtwCentre(int axis, int texel)
 {
-  vec4 centres = rtwTexelCentres(rtwLayer, ivec2(texel));
-  return axis == 0 ? centres.x : centres.z;
+  return rtwTexelCentre(rtwLayer, ivec2(texel))[axis];
 }
 
 // Bands of texels along one axis, each as long as the triangle is there.
@@ -118,11 +93,11 @@ void rtwAddSlices(Caster t, uint caster, ivec4 texels, int slices, float depth)
 }
 
 // u: its corners on the map.
-void rtwCover(Caster t, uint caster, vec2 u[3], vec2 bend)
+void rtwCover(Caster t, CasterPlane p, uint caster, vec2 u[3], vec2 bend)
 {
   float depth = max(t.depths.x, 0.0);
   float texel = 1.0 / float(rtwWarpSize.y);
-  ivec4 texels = rtwTexels(rtwWarp(rtwLayer, t.low), rtwWarp(rtwLayer, t.high));
+  ivec4 texels = rtwTexels(rtwBoundsOnMap(rtwLayer, t.low, t.high));
   vec2 size = vec2(texels.zw - texels.xy + 1);
   float box = size.x * size.y;
   if (t.crosses)

@@ -58,9 +58,8 @@ uint rtwBentIndices(Cluster cluster, mat4 m, Extent e)
   for (int k = 0; k < SIZE_CLASSES; ++k)
   {
     vec2 piece = min(rtwLargestOnLight(m, e, extent), e.high - e.low);
-    float bend = max(rtwBendOfPieces(rtwLayer, 0, e.low.x, e.high.x, piece.x),
-      rtwBendOfPieces(rtwLayer, 1, e.low.y, e.high.y, piece.y));
-    if (bend <= rtwLeastBend)
+    vec2 bends = rtwBendsOfPieces(rtwLayer, e.low, e.high, piece);
+    if (max(bends.x, bends.y) <= rtwLeastBend)
     {
       break;
     }

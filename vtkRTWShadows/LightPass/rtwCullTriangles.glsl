@@ -9,7 +9,7 @@ void main()
     Caster t;
     if (rtwLoadCaster(i, t))
     {
-      ivec4 texels = rtwTexels(rtwWarp(rtwLayer, t.low), rtwWarp(rtwLayer, t.high));
+      ivec4 texels = rtwTexels(rtwBoundsOnMap(rtwLayer, t.low, t.high));
       if (all(greaterThanEqual(texels.zw, texels.xy)))
       {
         rtwWork[cluster].casters[atomicAdd(rtwWork[cluster].numberOfCasters, 1u)] = i;

@@ -3,7 +3,7 @@
 //
 // Edges and plane are homogeneous (Olano and Greer 1997), so that a triangle that reaches behind a spot needs no clipping but for its
 // bounds.
-layout(local_size_x = 32) in;
+layout(local_size_x = SET_UP_GROUP) in;
 layout(std430, binding = 4) writeonly buffer StraightCasters
 {
   StraightCaster rtwStraight[];
@@ -13,13 +13,6 @@ uniform int rtwTessellating;  // whether what is bent more is tessellated instea
 
 // Of depth, which a straight triangle interpolates: what the bends of its inside amount to must not be seen as acne.
 const float ALLOWED_ERROR = 5e-7;
-
-struct CasterPlane
-{
-  vec3 edges[3];
-  vec3 anchor;
-  vec2 slope;
-};
 
 // Relative to the corner that is farthest from the light: differences of large numbers would leave nothing of a small triangle.
 bool rtwSetPlane(Caster t, out CasterPlane p)
@@ -64,7 +57,7 @@ void rtwDrawBent(Caster t, CasterPlane p, uint caster, vec2 u[3], vec2 bend)
   rtwBent[caster].edges[1] = vec4(p.edges[1], p.slope.y);
   rtwBent[caster].edges[2] = vec4(p.edges[2], t.depths.x);
   rtwBent[caster].anchor = vec4(p.anchor, t.depths.y);
-  rtwCover(t, caster, u, bend);
+  rtwCover(t, p, caster, u, bend);
 }
 
 void rtwSetUp(uint triangle)
@@ -80,8 +73,8 @@ void rtwSetUp(uint triangle)
   {
     u[k] = rtwWarp(rtwLayer, t.points[k].xy / t.points[k].w);
   }
-  vec2 bend = vec2(rtwBend(rtwLayer, 0, t.low.x, t.high.x), rtwBend(rtwLayer, 1, t.low.y, t.high.y));
-  vec2 shift = vec2(rtwShift(rtwLayer, 0, t.low.x, t.high.x), rtwShift(rtwLayer, 1, t.low.y, t.high.y));
+  vec2 bend = rtwBends(rtwLayer, t.low, t.high);
+  vec2 shift = rtwShifts(rtwLayer, t.low, t.high);
   bool straight = 3u * triangle >= rtwWork[gl_WorkGroupID.x].bentEnd ||
     (max(bend.x, bend.y) <= rtwAllowedBend && dot(abs(p.slope), shift) <= ALLOWED_ERROR);
   uint caster = MOST_TRIANGLES * gl_WorkGroupID.x + triangle;

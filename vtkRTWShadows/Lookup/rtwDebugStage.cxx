@@ -75,7 +75,7 @@ bool DebugStage::Build(const WarpShape& warp)
            150) &&
     this->Measuring.Build({ { GL_VERTEX_SHADER, { rtwScreenVS } },
                             { GL_FRAGMENT_SHADER,
-                              { rtwWarpFocus, warp.Slope, rtwViewSampleAccess, rtwLitSample,
+                              { rtwWarpFocus, warp.Function, warp.Slope, rtwViewSampleAccess, rtwLitSample,
                                 rtwMapSample, rtwAliasingError, rtwAliasingErrorFS } } },
       150);
 }

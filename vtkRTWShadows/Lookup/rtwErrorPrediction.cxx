@@ -39,7 +39,7 @@ bool ErrorPrediction::Build(const WarpShape& warp)
   return this->Adding.Build(
     { { GL_VERTEX_SHADER, { rtwScreenVS } },
       { GL_FRAGMENT_SHADER,
-        { definitions.c_str(), rtwWarpFocus, warp.Slope, rtwViewSampleAccess, rtwLitSample,
+        { definitions.c_str(), rtwWarpFocus, warp.Function, warp.Slope, rtwViewSampleAccess, rtwLitSample,
           rtwMapSample, rtwAliasingError, rtwShadowEdge, rtwPredictedErrorFS } } },
     150);
 }

@@ -4,7 +4,7 @@ float rtwNearest(int layer, rtwReceiver r)
   int last = rtwWarpSize.y - 1;
   vec2 at = rtwWarp(layer, r.q.xy) * float(rtwWarpSize.y);
   ivec2 texel = clamp(ivec2(floor(at)), 0, last);
-  vec2 centre = rtwTexelCentres(layer, texel).xz;
+  vec2 centre = rtwTexelCentre(layer, texel);
   return 1.0 - rtwOccluded(layer, texel, centre, r, rtwSlope(layer, texel), 0.0);
 }
 
@@ -16,16 +16,16 @@ float rtwBilinear(int layer, rtwReceiver r)
   ivec2 right = corner + ivec2(1, 0);
   ivec2 above = corner + ivec2(0, 1);
   vec2 f = clamp(at - 0.5 - vec2(corner), 0.0, 1.0);
-  vec4 c = rtwTexelCentres(layer, corner);
+  TexelCentres c = rtwTexelCentres(layer, corner);
   vec2 a = rtwSlope(layer, corner);
   vec2 b = rtwSlope(layer, right);
   vec2 d = rtwSlope(layer, above);
   vec2 e = rtwSlope(layer, corner + 1);
   // No two neighbours see the same triangle.
   float rough = a != b && a != d && e != b && e != d ? RTW_ROUGHNESS : 0.0;
-  vec4 dark = vec4(rtwOccluded(layer, corner, c.xz, r, a, rough),
-    rtwOccluded(layer, right, c.yz, r, b, rough), rtwOccluded(layer, above, c.xw, r, d, rough),
-    rtwOccluded(layer, corner + 1, c.yw, r, e, rough));
+  vec4 dark = vec4(rtwOccluded(layer, corner, c.here, r, a, rough),
+    rtwOccluded(layer, right, c.right, r, b, rough), rtwOccluded(layer, above, c.above, r, d, rough),
+    rtwOccluded(layer, corner + 1, c.beyond, r, e, rough));
   vec2 rows = mix(dark.xz, dark.yw, f.x);
   return 1.0 - mix(rows.x, rows.y, f.y);
 }

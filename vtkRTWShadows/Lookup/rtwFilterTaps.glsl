@@ -50,9 +50,9 @@ rtwKernel rtwMakeKernel(int light, int layer, vec4 focus, rtwReceiver r, float w
 {
   vec4 taps = rtwTaps[light];
   ivec2 texel = ivec2(rtwWarp(layer, r.q.xy) * float(rtwWarpSize.y));
-  vec4 c = rtwTexelCentres(layer, clamp(texel, 0, rtwWarpSize.y - 1));
+  TexelCentres c = rtwTexelCentres(layer, clamp(texel, 0, rtwWarpSize.y - 1));
   // Less than a texel would show the texels.
-  vec2 reach = max(vec2(taps.w / w), vec2(c.y - c.x, c.w - c.z) / focus.yw);
+  vec2 reach = max(vec2(taps.w / w), (abs(c.right - c.here) + abs(c.above - c.here)) / focus.yw);
   // In few steps, because a lattice that differs from pixel to pixel is noise.
   vec2 steps = ceil(2.0 * log2(reach / (RTW_TAPS_A_RADIUS * taps.z)) - 0.01);
   vec2 spacing = taps.z * exp2(0.5 * steps);
@@ -115,7 +115,7 @@ float rtwFilteredByTaps(int layer, rtwReceiver r, rtwKernel k)
       ivec2 held = clamp(texel, 0, rtwWarpSize.y - 1);
       // Beyond the map nothing is known.
       weight = held == texel ? weight : 0.0;
-      vec2 centre = rtwTexelCentres(layer, held).xz;
+      vec2 centre = rtwTexelCentre(layer, held);
       float dark = rtwOccluded(layer, held, centre, r, rtwSlope(layer, held), 0.0);
       sum += weight * vec2(1.0 - dark, 1.0);
     }

@@ -18,7 +18,7 @@ vec4 rtwGeometryOutput(float depth, vec3 p, vec3 n)
     }
     return vec4(a, slope, float(rtwReceives));
   }
-  vec2 centre = rtwTexelCentres(rtwLayer, ivec2(gl_FragCoord.xy)).xz;
+  vec2 centre = rtwTexelCentre(rtwLayer, ivec2(gl_FragCoord.xy));
   vec2 slope = vec2(dFdx(depth), dFdy(depth)) / vec2(dFdx(centre.x), dFdy(centre.y));
   return vec4(clamp(slope, -60000.0, 60000.0), 0.0, 1.0);
 }

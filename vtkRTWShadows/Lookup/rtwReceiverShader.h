@@ -85,7 +85,8 @@ struct ReceiverUniforms
   int Layer = 0;
   int OtherLayers = 0;
   bool LightParallel = false;
-  int WarpUnit = 0, DepthUnit = 0, GradientUnit = 0, MaskUnit = 0;
+  int WarpUnit = 0, DepthUnit = 0, GradientUnit = 0, MaskUnit = 0, GridUnit = 0;
+  int GridLayers = 0;
   int Cells = 1, Resolution = 1;
   int OriginX = 0, OriginY = 0; ///< of the viewport
   glm::vec2 DepthToSample{ 1, 0 };

@@ -53,7 +53,8 @@ vtkAdaptiveShadowMapPass::Internals::Attachment::Attachment(Internals& internals
   , Props(std::move(props))
 {
   vtkTextureUnitManager* manager = this->My.Window->GetTextureUnitManager();
-  while (this->Units.size() < 4)
+  this->Needed = this->My.Pipeline.GetShape().Separable ? 4 : 5;
+  while (this->Units.size() < this->Needed)
   {
     const int unit = manager->Allocate();
     if (unit < 0)
@@ -73,6 +74,7 @@ vtkAdaptiveShadowMapPass::Internals::Attachment::Attachment(Internals& internals
   uniforms.DepthUnit = this->Units[1];
   uniforms.GradientUnit = this->Units[2];
   uniforms.MaskUnit = this->Units[3];
+  uniforms.GridUnit = this->Units.back();
   this->My.Pipeline.BindTextures(uniforms, phase == rtw::Phase::Picture);
   this->My.Window->GetState()->ResetGLActiveTexture();
   for (vtkProp* prop : this->Props)

@@ -63,13 +63,14 @@ public:
     Attachment(const Attachment&) = delete;
     Attachment& operator=(const Attachment&) = delete;
     /// False where no texture units were free; nothing is attached then.
-    bool IsComplete() const { return this->Units.size() == 4; }
+    bool IsComplete() const { return this->Units.size() == this->Needed; }
 
   private:
     Internals& My;
     vtkAdaptiveShadowMapPass* Pass;
     std::vector<vtkProp*> Props;
     std::vector<int> Units;
+    std::size_t Needed;
   };
 };
 

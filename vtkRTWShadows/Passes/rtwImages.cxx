@@ -36,8 +36,35 @@ vtkSmartPointer<vtkImageData> ReadShadowMap(const DenseLayers& layers, int layer
   return image;
 }
 
+namespace
+{
+vtkSmartPointer<vtkImageData> ReadGrid(const WarpTable& table, int layer)
+{
+  const std::size_t cells = table.GetCells();
+  const std::vector<float> grid = table.ReadGrid(layer);
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(table.GetCells() + 1, table.GetCells(), 2);
+  image->AllocateScalars(VTK_FLOAT, 1);
+  auto* values = static_cast<float*>(image->GetScalarPointer());
+  for (std::size_t line = 0; line < 2 * cells; ++line)
+  {
+    const float* from = &grid[2 * cells * line];
+    for (std::size_t i = 0; i < cells; ++i)
+    {
+      *values++ = from[2 * i];
+    }
+    *values++ = from[2 * cells - 1];
+  }
+  return image;
+}
+}
+
 vtkSmartPointer<vtkImageData> ReadWarp(const WarpTable& table, int layer)
 {
+  if (layer < table.GetGridLayers())
+  {
+    return ReadGrid(table, layer);
+  }
   std::vector<float> all = table.Read();
   const std::size_t row = 2 * std::size_t(table.GetRowLength());
   auto image = vtkSmartPointer<vtkImageData>::New();

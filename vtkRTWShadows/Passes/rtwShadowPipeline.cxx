@@ -4,6 +4,7 @@
 #include "vtkOpenGLRenderWindow.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace rtw
 {
@@ -164,6 +165,7 @@ ReceiverUniforms ShadowPipeline::MakeUniforms(const PipelineOptions& options) co
   ReceiverUniforms uniforms;
   uniforms.Cells = this->Table.GetCells();
   uniforms.Resolution = this->Table.GetResolution();
+  uniforms.GridLayers = this->Table.GetGridLayers();
   uniforms.OtherLayers = this->OtherLayers;
   uniforms.OriginX = this->Viewed.OriginX;
   uniforms.OriginY = this->Viewed.OriginY;
@@ -177,6 +179,10 @@ ReceiverUniforms ShadowPipeline::MakeUniforms(const PipelineOptions& options) co
 void ShadowPipeline::BindTextures(const ReceiverUniforms& units, bool maps) const
 {
   this->Table.GetValues().Bind(units.WarpUnit);
+  if (units.GridLayers > 0)
+  {
+    this->Table.GetGrid().Bind(units.GridUnit);
+  }
   if (maps)
   {
     this->Layers.GetDepths().Bind(units.DepthUnit);
@@ -188,6 +194,10 @@ void ShadowPipeline::BindTextures(const ReceiverUniforms& units, bool maps) cons
 void ShadowPipeline::UnbindTextures(const ReceiverUniforms& units) const
 {
   this->Table.GetValues().Unbind(units.WarpUnit);
+  if (units.GridLayers > 0)
+  {
+    this->Table.GetGrid().Unbind(units.GridUnit);
+  }
   this->Layers.GetDepths().Unbind(units.DepthUnit);
   this->Layers.GetGradients().Unbind(units.GradientUnit);
   this->Masking.GetMask().Unbind(units.MaskUnit);
@@ -197,7 +207,14 @@ int ShadowPipeline::ClampResolution(unsigned int resolution, std::size_t lights)
 {
   // The layers of a light and of its other casters.
   const int rows = WarpTable::RowsPerLayer * 2 * static_cast<int>(std::max<std::size_t>(lights, 1));
-  const int most = std::min(this->Can.MaximumTextureSize, this->Can.MaximumTexels / rows);
+  int most = std::min(this->Can.MaximumTextureSize, this->Can.MaximumTexels / rows);
+  if (!this->GetShape().Separable)
+  {
+    // Each layer's grid has an element a texel, and two a cell.
+    const double cells = 2.0 * this->Warp->GetCells() * this->Warp->GetCells();
+    const double each = this->Can.MaximumTexels / double(std::max<std::size_t>(lights, 1));
+    most = std::min(most, static_cast<int>(std::sqrt(std::max(each - cells, 1.0))));
+  }
   return static_cast<int>(std::min<unsigned int>(resolution, static_cast<unsigned int>(most)));
 }
 

@@ -1,14 +1,19 @@
-float rtwBend(int layer, int axis, float low, float high)
+vec4 rtwBoundsOnMap(int layer, vec2 low, vec2 high)
 {
-  return 0.0;
+  return vec4(low, high);
 }
 
-float rtwShift(int layer, int axis, float low, float high)
+vec2 rtwBends(int layer, vec2 low, vec2 high)
 {
-  return 0.0;
+  return vec2(0.0);
 }
 
-float rtwBendOfPieces(int layer, int axis, float low, float high, float piece)
+vec2 rtwShifts(int layer, vec2 low, vec2 high)
 {
-  return 0.0;
+  return vec2(0.0);
+}
+
+vec2 rtwBendsOfPieces(int layer, vec2 low, vec2 high, vec2 piece)
+{
+  return vec2(0.0);
 }

@@ -27,20 +27,34 @@ float rtwBendOver(vec3 slopes, float h)
   return min(0.25 * (slopes.y - slopes.x) * h, slopes.z * steps);
 }
 
-float rtwBend(int layer, int axis, float low, float high)
+// What a box on the light plane takes on the map: low, high.
+vec4 rtwBoundsOnMap(int layer, vec2 low, vec2 high)
 {
-  return rtwBendOver(rtwSlopes(layer, axis, low, high), high - low);
+  return vec4(rtwWarp(layer, low), rtwWarp(layer, high));
 }
 
-// The same as a length on the light plane: how far the point that a chord puts somewhere on the map is from the one that belongs there.
-float rtwShift(int layer, int axis, float low, float high)
+// How far, along both axes of the map, a straight line in the box strays.
+vec2 rtwBends(int layer, vec2 low, vec2 high)
 {
-  vec3 slopes = rtwSlopes(layer, axis, low, high);
-  return rtwBendOver(slopes, high - low) / max(slopes.x, 1e-30);
+  return vec2(rtwBendOver(rtwSlopes(layer, 0, low.x, high.x), high.x - low.x),
+    rtwBendOver(rtwSlopes(layer, 1, low.y, high.y), high.y - low.y));
 }
 
-// The most of any interval no longer than `piece` between the two ends.
-float rtwBendOfPieces(int layer, int axis, float low, float high, float piece)
+float rtwShift(vec3 slopes, float h)
 {
-  return rtwBendOver(rtwSlopes(layer, axis, low, high), piece);
+  return rtwBendOver(slopes, h) / max(slopes.x, 1e-30);
+}
+
+// The same as lengths on the light plane: how far the point that a chord puts somewhere on the map is from the one that belongs there.
+vec2 rtwShifts(int layer, vec2 low, vec2 high)
+{
+  return vec2(rtwShift(rtwSlopes(layer, 0, low.x, high.x), high.x - low.x),
+    rtwShift(rtwSlopes(layer, 1, low.y, high.y), high.y - low.y));
+}
+
+// The most of any box no larger than `piece` between the two corners.
+vec2 rtwBendsOfPieces(int layer, vec2 low, vec2 high, vec2 piece)
+{
+  return vec2(rtwBendOver(rtwSlopes(layer, 0, low.x, high.x), piece.x),
+    rtwBendOver(rtwSlopes(layer, 1, low.y, high.y), piece.y));
 }

@@ -1,9 +1,6 @@
-// A warping map from a collapsed importance: blurred, kept above the floor, summed up and normalized (Rosen 2012,
-// section 4.2 and equation 1, which is that running sum), its inverse at the texels' centres, and the table of slopes.
+// A warping map from a collapsed importance, by its running sum, its inverse at the texels' centres, and the table of slopes.
 // One work group an axis and a layer.
-layout(local_size_x = 256) in;
-const int MOST_CELLS = 2048;
-const int GROUP = 256;
+layout(local_size_x = GROUP) in;
 
 layout(std430, binding = 0) buffer Profile
 {
@@ -32,42 +29,12 @@ const float EDGE_FLOOR = 0.02; // of the plain demand, beside that at shadow edg
 uniform int rtwCollected;
 uniform float rtwUnit; // of sums
 uniform int rtwProfiles; // 2: plain, and at shadow edges
-uniform float rtwSigma; // in cells
-uniform float rtwFloor; // a share of the mean
-uniform float rtwLeast; // share of the map that keeps sums strictly monotone
 uniform int rtwLevels;
 uniform int rtwCulling;   // whether cells that are not in use are left out
 uniform int rtwRemembers; // whether the last frame counts
-shared float rtwValues[MOST_CELLS + 1];
-shared float rtwSums[MOST_CELLS + 1];
-shared float rtwPartial[GROUP];
 
 int layer = int(gl_WorkGroupID.y);
 int axis = int(gl_WorkGroupID.x);
-int me = int(gl_LocalInvocationIndex);
-
-// Of all values, in every invocation.
-float total(int cells)
-{
-  float sum = 0.0;
-  for (int i = me; i < cells; i += GROUP)
-  {
-    sum += rtwValues[i];
-  }
-  rtwPartial[me] = sum;
-  barrier();
-  for (int step = GROUP / 2; step > 0; step /= 2)
-  {
-    if (me < step)
-    {
-      rtwPartial[me] += rtwPartial[me + step];
-    }
-    barrier();
-  }
-  float all = rtwPartial[0];
-  barrier();
-  return all;
-}
 
 float sumOf(int profile, int cell, int cells)
 {
@@ -103,65 +70,6 @@ void load(int cells)
     sum *= rtwUnit;
     rtwSums[i] = rtwCollected == LARGEST ? largest : rtwCollected == SUM ? sum : sqrt(sum);
     rtwImportance[2 * ((2 * layer + axis) * cells + i)] = rtwSums[i];
-  }
-  barrier();
-}
-
-void blur(int cells)
-{
-  int radius = int(ceil(3.0 * rtwSigma));
-  for (int i = me; i < cells; i += GROUP)
-  {
-    float sum = 0.0;
-    float weights = 0.0;
-    for (int j = max(0, i - radius); j <= min(cells - 1, i + radius); ++j)
-    {
-      float d = float(j - i) / max(rtwSigma, 1e-3);
-      float weight = exp(-0.5 * d * d);
-      sum += weight * rtwSums[j];
-      weights += weight;
-    }
-    rtwValues[i] = sum / weights;
-  }
-  barrier();
-}
-
-void raise(int cells)
-{
-  float all = total(cells);
-  float least = max(rtwFloor / float(cells), rtwLeast) * all;
-  for (int i = me; i < cells; i += GROUP)
-  {
-    rtwValues[i] = all > 0.0 ? max(rtwValues[i], least) : 1.0;
-  }
-  barrier();
-}
-
-// rtwSums[i] becomes the normalized sum of the values before i.
-void sumUp(int cells)
-{
-  float all = total(cells);
-  int each = (cells + GROUP - 1) / GROUP;
-  float mine = 0.0;
-  for (int i = me * each; i < min((me + 1) * each, cells); ++i)
-  {
-    mine += rtwValues[i];
-  }
-  rtwPartial[me] = mine;
-  barrier();
-  float before = 0.0;
-  for (int i = 0; i < me; ++i)
-  {
-    before += rtwPartial[i];
-  }
-  for (int i = me * each; i < min((me + 1) * each, cells); ++i)
-  {
-    rtwSums[i] = before / all;
-    before += rtwValues[i];
-  }
-  if (me == 0)
-  {
-    rtwSums[cells] = 1.0;
   }
   barrier();
 }

@@ -10,6 +10,7 @@
 #include "rtwLastWarp.h"
 #include "rtwOpenGL.h"
 #include "rtwRectilinearWarp.h"
+#include "rtwRunningSum.h"
 #include "rtwSlopeRectilinear.h"
 #include "rtwSnapFocus.h"
 #include "rtwUsedGrid.h"
@@ -44,8 +45,8 @@ bool RectilinearWarpStage::Build()
 {
   return this->Importance.Build() &&
     this->Building.Build({ { GL_COMPUTE_SHADER,
-      { rtwWarpFocus, rtwLastWarp, rtwUsedGrid, rtwBuildRectilinear, rtwFollowWarp,
-        rtwCullCells } } }) &&
+      { "#define GROUP 256\n", rtwWarpFocus, rtwRunningSum, rtwLastWarp, rtwUsedGrid,
+        rtwBuildRectilinear, rtwFollowWarp, rtwCullCells } } }) &&
     this->InUse.Build() &&
     this->FocusSnapping.Build(
       { { GL_COMPUTE_SHADER, { rtwWarpFocus, rtwLastWarp, rtwSnapFocus } } });

@@ -49,3 +49,12 @@ vec2 rtwFocused(vec4 focus, vec2 onLight)
 {
   return (onLight - focus.xz) * focus.yw;
 }
+
+// Where on the focus the centres of a texel, of the one to its right, of the one above, and of the one above that lie.
+struct TexelCentres
+{
+  vec2 here;
+  vec2 right;
+  vec2 above;
+  vec2 beyond;
+};

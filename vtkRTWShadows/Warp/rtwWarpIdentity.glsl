@@ -4,9 +4,14 @@ vec2 rtwWarp(int layer, vec2 q)
   return q;
 }
 
-// Where the centres of a texel and of the next along both axes lie: s, s of the next, t, t of the next.
-vec4 rtwTexelCentres(int layer, ivec2 texel)
+vec2 rtwTexelCentre(int layer, ivec2 texel)
 {
-  vec2 first = vec2(texel) + 0.5;
-  return vec4(first.x, first.x + 1.0, first.y, first.y + 1.0) / float(rtwWarpSize.y);
+  return (vec2(texel) + 0.5) / float(rtwWarpSize.y);
+}
+
+TexelCentres rtwTexelCentres(int layer, ivec2 texel)
+{
+  vec2 here = rtwTexelCentre(layer, texel);
+  vec2 next = here + 1.0 / float(rtwWarpSize.y);
+  return TexelCentres(here, vec2(next.x, here.y), vec2(here.x, next.y), next);
 }

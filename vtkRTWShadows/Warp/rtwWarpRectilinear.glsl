@@ -13,9 +13,14 @@ vec2 rtwWarp(int layer, vec2 q)
   return vec2(rtwWarpAlong(4 * layer, q.x), rtwWarpAlong(4 * layer + 1, q.y));
 }
 
-// Where the centres of a texel and of the next along both axes lie: s, s of the next, t, t of the next.
-vec4 rtwTexelCentres(int layer, ivec2 texel)
+vec2 rtwTexelCentre(int layer, ivec2 texel)
 {
-  return vec4(rtwWarpEntry(4 * layer + 2, texel.x),
-    rtwWarpEntry(4 * layer + 3, texel.y));
+  return vec2(rtwWarpEntry(4 * layer + 2, texel.x).x, rtwWarpEntry(4 * layer + 3, texel.y).x);
+}
+
+TexelCentres rtwTexelCentres(int layer, ivec2 texel)
+{
+  vec2 s = rtwWarpEntry(4 * layer + 2, texel.x);
+  vec2 t = rtwWarpEntry(4 * layer + 3, texel.y);
+  return TexelCentres(vec2(s.x, t.x), vec2(s.y, t.x), vec2(s.x, t.y), vec2(s.y, t.y));
 }

@@ -24,8 +24,9 @@ struct WarpShape
 {
   const char* Name;     ///< tells shader code for one warp from that for another
   const char* Function; ///< defines rtwWarp and rtwTexelCentres
-  const char* Bend;     ///< defines rtwBend, rtwShift and rtwBendOfPieces
+  const char* Bend;     ///< defines rtwBoundsOnMap, rtwBends, rtwShifts and rtwBendsOfPieces
   const char* Slope;    ///< defines rtwWarpSlope
+  bool Separable = true; ///< s on the map depends on s alone, and t on t
 };
 
 /// What a warp that remembers the last frame needs to know of this one.

@@ -21,8 +21,9 @@ const char* WarpTable::DefinitionOf(TableAccess access)
   }
 }
 
-void WarpTable::Allocate(int cells, int resolution, int layers)
+void WarpTable::Allocate(int cells, int resolution, int layers, int gridLayers)
 {
+  this->GridLayers = gridLayers;
   this->Cells = cells;
   this->Resolution = resolution;
   this->BendLevels = 1;
@@ -34,7 +35,56 @@ void WarpTable::Allocate(int cells, int resolution, int layers)
   // Uniforms of the last layer reach behind it.
   this->Table.Allocate(2,
     std::size_t(this->Rows) * this->GetRowLength() + UniformBytes / (2 * sizeof(float)));
-  this->Bends.Allocate(4, std::size_t(cells) * 2 * layers * this->BendLevels);
+  if (gridLayers == 0)
+  {
+    this->Bends.Allocate(4, std::size_t(cells) * 2 * layers * this->BendLevels);
+    return;
+  }
+  this->Bends.Allocate(4,
+    std::size_t(gridLayers) * (2 * (this->GetPyramidPlaces().back() + this->GetTilePlaces().back())));
+  this->Grid.Allocate(2, gridLayers * this->GetGridLength());
+}
+
+int WarpTable::GetTileSide(int level) const
+{
+  const int texels = 1 << (LeastTileLevel + level);
+  return (this->Resolution + texels - 1) / texels;
+}
+
+int WarpTable::GetTileLevels() const
+{
+  int levels = 1;
+  while (this->GetTileSide(levels - 1) > 1)
+  {
+    ++levels;
+  }
+  return levels;
+}
+
+std::vector<int> WarpTable::GetPyramidPlaces() const
+{
+  std::vector<int> places{ 0 };
+  for (int level = 0; level < this->BendLevels; ++level)
+  {
+    places.push_back(places.back() + this->GetPyramidSide(level) * this->GetPyramidSide(level));
+  }
+  return places;
+}
+
+std::vector<int> WarpTable::GetTilePlaces() const
+{
+  std::vector<int> places{ 0 };
+  for (int level = 0; level < this->GetTileLevels(); ++level)
+  {
+    places.push_back(places.back() + this->GetTileSide(level) * this->GetTileSide(level));
+  }
+  return places;
+}
+
+std::size_t WarpTable::GetGridLength() const
+{
+  const std::size_t cells = this->Cells, resolution = this->Resolution;
+  return 2 * cells * cells + resolution * resolution;
 }
 
 int WarpTable::GetRowLength() const
@@ -95,6 +145,16 @@ void WarpTable::Bind(const Program& program) const
   this->Table.Bind(Unit);
   this->Bends.Bind(BendUnit);
   program.Set("rtwWarpTable", Unit);
+  program.Set("rtwWarpGrid", GridUnit);
+  program.Set("rtwGridLayers", this->GridLayers);
+  if (this->GridLayers > 0)
+  {
+    this->Grid.Bind(GridUnit);
+    const std::vector<int> levels = this->GetPyramidPlaces(), tiles = this->GetTilePlaces();
+    glUniform1iv(program.Location("rtwLevelPlaces"), int(levels.size()), levels.data());
+    glUniform1iv(program.Location("rtwTilePlaces"), int(tiles.size()), tiles.data());
+    program.Set("rtwTileLevels", this->GetTileLevels());
+  }
   glUniform2i(program.Location("rtwWarpSize"), this->Cells, this->Resolution);
   program.Set("rtwBendLevels", this->BendLevels);
   program.SetBlock("WarpForward", UniformBinding);
@@ -141,15 +201,26 @@ std::vector<float> WarpTable::Read() const
   return values;
 }
 
+std::vector<float> WarpTable::ReadGrid(int layer) const
+{
+  const std::size_t first = layer * this->GetGridLength();
+  const std::size_t functions = 2 * std::size_t(this->Cells) * this->Cells;
+  std::vector<float> values(2 * (first + functions));
+  this->Grid.Read(values.data(), first + functions);
+  return { values.begin() + 2 * first, values.end() };
+}
+
 void WarpTable::Release()
 {
   this->Table.Release();
   this->Bends.Release();
+  this->Grid.Release();
 }
 
 void WarpTable::Abandon()
 {
   this->Table.Abandon();
   this->Bends.Abandon();
+  this->Grid.Abandon();
 }
 }

@@ -27,13 +27,16 @@ public:
   static constexpr int RowsPerLayer = 4;
   static constexpr int Unit = 5; ///< texture unit in our own programs
   static constexpr int BendUnit = 6;
+  static constexpr int GridUnit = 7;
+  static constexpr int LeastTileLevel = 2; // as in rtwBendNonOrthogonal.glsl
   static constexpr unsigned int StorageBinding = 7; // as in rtwWarpFocus.glsl
   static constexpr unsigned int UniformBinding = 0; // and the next
   static constexpr std::size_t UniformBytes = 4096 * 16; // of a block, as there
   /// To stand before rtwWarpFocus.glsl.
   static const char* DefinitionOf(TableAccess access);
 
-  void Allocate(int cells, int resolution, int layers);
+  /// The first `gridLayers` have a grid, since their warp isn't separable; then no other is warped.
+  void Allocate(int cells, int resolution, int layers, int gridLayers);
   /// Sets a layer's focus from the CPU.
   void WriteFocus(int layer, const Rectangle& focus);
   /// Takes over the focus of the first layers of another table, on the GPU.
@@ -47,24 +50,39 @@ public:
   bool FitsUniforms() const { return this->GetBlockBytes() <= UniformBytes; }
   const TexelBuffer& GetValues() const { return this->Table; }
   const TexelBuffer& GetBends() const { return this->Bends; }
+  /// As rtwWarpNonOrthogonal.glsl has it.
+  const TexelBuffer& GetGrid() const { return this->Grid; }
+  int GetGridLayers() const { return this->GridLayers; }
   /// Elements in a row of the table.
   int GetRowLength() const;
   int GetCells() const { return this->Cells; }
   int GetResolution() const { return this->Resolution; }
   int GetBendLevels() const { return this->BendLevels; }
-  std::size_t GetMemory() const { return this->Table.GetMemory() + this->Bends.GetMemory(); }
+  /// Of a level of the pyramids that a grid has for bends.
+  int GetPyramidSide(int level) const { return (this->Cells + (1 << level)) >> level; }
+  /// Of the pyramid of tiles of the map that a grid has; the last one's side is 1.
+  int GetTileLevels() const;
+  int GetTileSide(int level) const;
+  std::size_t GetMemory() const { return this->Table.GetMemory() + this->Bends.GetMemory() + this->Grid.GetMemory(); }
   /// A layer's focus, as the GPU has it. Waits for the GPU.
   Rectangle ReadFocus(int layer) const;
   /// The whole table, row by row, two floats a texel. Waits for the GPU.
   std::vector<float> Read() const;
+  /// A layer's functions, line by line, each cell's two ends; those along s first. Waits for the GPU.
+  std::vector<float> ReadGrid(int layer) const;
   void Release();
   void Abandon();
 
 private:
   std::size_t GetBlockBytes() const;
+  /// Where each level of a grid's pyramids begins, and the last ends.
+  std::vector<int> GetPyramidPlaces() const;
+  std::vector<int> GetTilePlaces() const;
+  std::size_t GetGridLength() const; ///< of a layer's, in elements
   void WriteRow(int row, int first, const std::vector<float>& values);
 
-  TexelBuffer Table, Bends;
+  TexelBuffer Table, Bends, Grid;
+  int GridLayers = 0;
   int Cells = 0;
   int Resolution = 0;
   int Rows = 0;

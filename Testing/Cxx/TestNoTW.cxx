@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Non-orthogonal texture warping beside exact rays: lights of both kinds and several of them, what
+// only VTK's mappers draw, floors of two triangles, the ways of rasterizing, and its settings.
+#include "rtwDebugViews.h"
+
+#include "vtkCamera.h"
+#include "vtkImageData.h"
+#include "vtkLightCollection.h"
+#include "vtkNonOrthogonalShadowMapWarp.h"
+#include "vtkNoTWShadowMapPass.h"
+#include "vtkPlaneSource.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <limits>
+
+namespace
+{
+vtkNonOrthogonalShadowMapWarp* WarpOf(rtwShadowStage& stage)
+{
+  return vtkNoTWShadowMapPass::SafeDownCast(stage.Pass)->GetNonOrthogonalWarp();
+}
+
+void TestLights(rtwChain chain)
+{
+  rtwShadowStage stage(rtwTechnique::NoTW, chain);
+  stage.Name = chain == rtwChain::Classic ? "lights classic" : "lights steps";
+  stage.AddObjects();
+  vtkLight* sun = stage.AddSun(3, 5, 2);
+  vtkLight* spot = stage.AddSpot(3, 7, 2, 40);
+  vtkLight* low = stage.AddSun(-5, 2, 1);
+  stage.Render();
+  RTW_CHECK_EQUAL(stage.Pass->GetNumberOfShadowLights(), 3);
+  RTW_CHECK_SHADOWS(stage, sun, 0);
+  RTW_CHECK_SHADOWS(stage, spot, 1);
+  RTW_CHECK_SHADOWS(stage, low, 2);
+}
+
+void TestGlyphs()
+{
+  rtwShadowStage stage(rtwTechnique::NoTW);
+  stage.Name = "glyphs";
+  rtwFillForDebugViews(stage);
+  stage.Render();
+  auto* sun = vtkLight::SafeDownCast(stage.Renderer->GetLights()->GetItemAsObject(0));
+  RTW_CHECK_SHADOWS(stage, sun, 0);
+}
+
+// Boxes on a floor of so many triangles that reaches to the horizon.
+struct Deep : rtwShadowStage
+{
+  explicit Deep(int floorCells)
+    : rtwShadowStage(rtwTechnique::NoTW)
+  {
+    constexpr double side = 300;
+    vtkNew<vtkPlaneSource> floor;
+    floor->SetOrigin(-side / 2, 0, side / 2);
+    floor->SetPoint1(side / 2, 0, side / 2);
+    floor->SetPoint2(-side / 2, 0, -side / 2);
+    floor->SetResolution(floorCells, floorCells);
+    this->Add(floor);
+    for (int i = 0; i < 12; ++i)
+    {
+      this->AddBox(4.0 * (i % 3) - 5.0, 1.0, 2.0 - 9.0 * i, 2.0);
+    }
+    this->Sun = this->AddSun(3, 4, 2);
+    vtkCamera* camera = this->Renderer->GetActiveCamera();
+    camera->SetPosition(0, 2.2, 12);
+    camera->SetFocalPoint(0, 1.5, 0);
+    this->Renderer->ResetCameraClippingRange();
+    this->Pass->SetResolution(512);
+    this->Truth = this->Trace(this->Sun);
+  }
+
+  double Measure(const char* name)
+  {
+    this->Render();
+    const rtw::ShadowErrors errors = rtw::Compare(this->GetMask(0), this->Truth);
+    std::cout << name << ": " << errors.Percent(errors.Wrong()) << " % wrong, "
+              << errors.Percent(errors.FarFromEdge) << " % far from edges" << std::endl;
+    return errors.Percent(errors.Wrong());
+  }
+
+  vtkLight* Sun;
+  rtw::Truth Truth;
+};
+
+// Triangles that the warp bends a lot are as right as small ones.
+void TestRasterization()
+{
+  Deep coarse(1), fine(120);
+  const double exact = coarse.Measure("floor of 2 triangles");
+  RTW_CHECK_NEAR(exact, fine.Measure("floor of 28800"), 0.05);
+  coarse.Pass->SetRasterizationToExact();
+  RTW_CHECK_NEAR(coarse.Measure("exact"), exact, 0.02);
+  coarse.Pass->SetRasterizationToTessellated();
+  coarse.Pass->SetMaximumEdgeLength(0.01);
+  RTW_CHECK(coarse.Measure("tessellated") < 2 * exact + 0.5);
+  // What the two are better than.
+  coarse.Pass->SetRasterizationToLinear();
+  RTW_CHECK(coarse.Measure("linear") > 10 * exact);
+}
+
+// Each function rises from 0 to 1; neighbours differ the less, the smoother.
+double LargestStep(rtwShadowStage& stage, int cells)
+{
+  const vtkSmartPointer<vtkImageData> functions = stage.Pass->GetWarpImage(0);
+  if (!RTW_CHECK(functions != nullptr))
+  {
+    return 0;
+  }
+  const int* size = functions->GetDimensions();
+  RTW_CHECK_EQUAL(size[0], cells + 1);
+  RTW_CHECK_EQUAL(size[1], cells);
+  RTW_CHECK_EQUAL(size[2], 2);
+  const auto at = [&](int border, int line, int axis) {
+    return *static_cast<float*>(functions->GetScalarPointer(border, line, axis));
+  };
+  double most = 0;
+  int falling = 0;
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    for (int line = 0; line < cells; ++line)
+    {
+      falling += at(0, line, axis) != 0 || std::abs(at(cells, line, axis) - 1) > 1e-6;
+      for (int i = 0; i < cells; ++i)
+      {
+        falling += !(at(i + 1, line, axis) > at(i, line, axis));
+        const double step = line > 0 ? at(i, line, axis) - at(i, line - 1, axis) : 0;
+        most = std::max(most, std::abs(step));
+      }
+    }
+  }
+  RTW_CHECK_EQUAL(falling, 0);
+  return most;
+}
+
+void TestSettings()
+{
+  rtwShadowStage stage(rtwTechnique::NoTW);
+  stage.Name = "settings";
+  stage.AddObjects();
+  vtkLight* sun = stage.AddSun(3, 5, 2);
+  vtkNonOrthogonalShadowMapWarp* warp = WarpOf(stage);
+  double before = 1;
+  for (const double smoothing : { 0.01, 0.05, 0.3 })
+  {
+    warp->SetSmoothing(smoothing);
+    warp->SetImportanceResolution(256);
+    stage.Render();
+    const double step = LargestStep(stage, 256);
+    std::cout << "smoothing " << smoothing << ": neighbours differ by " << step << std::endl;
+    RTW_CHECK(step < before);
+    before = step;
+    RTW_CHECK_SHADOWS(stage, sun, 0);
+  }
+  warp->SetWeightsToCount();
+  warp->SetImportanceResolution(90); // no power of two
+  stage.Pass->SetResolution(1000);
+  stage.Render();
+  LargestStep(stage, 90);
+  RTW_CHECK_SHADOWS(stage, sun, 0);
+}
+
+void TestBadInput()
+{
+  rtwShadowStage stage(rtwTechnique::NoTW);
+  stage.Name = "bad input";
+  stage.AddObjects();
+  vtkLight* sun = stage.AddSun(3, 5, 2);
+  vtkNonOrthogonalShadowMapWarp* warp = WarpOf(stage);
+  rtwMessageCatcher messages(warp);
+  const double smoothing = warp->GetSmoothing();
+  warp->SetWeights(7);
+  warp->SetSmoothing(std::numeric_limits<double>::quiet_NaN());
+  RTW_CHECK_EQUAL(messages.GetNumberOfErrors(), 2);
+  RTW_CHECK_EQUAL(warp->GetWeights(), vtkNonOrthogonalShadowMapWarp::SQRT_DEMAND);
+  RTW_CHECK_EQUAL(warp->GetSmoothing(), smoothing);
+  warp->SetSmoothing(-1);
+  RTW_CHECK_EQUAL(warp->GetSmoothing(), 0.0);
+  warp->SetSmoothing(7);
+  RTW_CHECK_EQUAL(warp->GetSmoothing(), 1.0);
+  warp->SetImportanceResolution(1);
+  RTW_CHECK_EQUAL(warp->GetImportanceResolution(), 64);
+  stage.Render();
+  RTW_CHECK_SHADOWS(stage, sun, 0);
+  RTW_CHECK(stage.Pass->GetWarpImage(1) == nullptr);
+  RTW_CHECK_EQUAL(messages.GetNumberOfErrors(), 2);
+}
+
+// An empty scene, then one that has something.
+void TestEmpty()
+{
+  rtwShadowStage stage(rtwTechnique::NoTW);
+  stage.Name = "empty";
+  vtkLight* sun = stage.AddSun(3, 5, 2);
+  stage.Render();
+  stage.AddObjects();
+  stage.Render();
+  RTW_CHECK_SHADOWS(stage, sun, 0);
+}
+}
+
+int TestNoTW(int, char*[])
+{
+  TestLights(rtwChain::Steps);
+  TestLights(rtwChain::Classic);
+  TestGlyphs();
+  TestRasterization();
+  TestSettings();
+  TestBadInput();
+  TestEmpty();
+  return rtwTestResult();
+}

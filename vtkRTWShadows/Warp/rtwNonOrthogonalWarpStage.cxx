@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rtwNonOrthogonalWarpStage.h"
+
+#include "rtwAnalysisInput.h"
+#include "rtwBackwardSample.h"
+#include "rtwBendNonOrthogonal.h"
+#include "rtwBuildGrid.h"
+#include "rtwCollectGrid.h"
+#include "rtwDrawing.h"
+#include "rtwGridCentres.h"
+#include "rtwGridPyramid.h"
+#include "rtwGridTiles.h"
+#include "rtwImportance.h"
+#include "rtwImportanceStage.h"
+#include "rtwLightUniforms.h"
+#include "rtwLitSample.h"
+#include "rtwOpenGL.h"
+#include "rtwRectilinearWarp.h"
+#include "rtwRunningSum.h"
+#include "rtwSamplePlace.h"
+#include "rtwSlopeNonOrthogonal.h"
+#include "rtwSmoothGrid.h"
+#include "rtwUserFunction.h"
+#include "rtwViewSampleAccess.h"
+#include "rtwViewSampler.h"
+#include "rtwWarpFocus.h"
+#include "rtwWarpNonOrthogonal.h"
+#include "rtwWarpTable.h"
+
+#include <cmath>
+#include <utility>
+
+namespace rtw
+{
+namespace
+{
+constexpr int Tile = 64; // of rtwBackwardSample.glsl
+constexpr int CountUnit = 1024;
+constexpr int Passes = 3; // of smoothing
+
+bool BuildCollecting(Program& program, int functions)
+{
+  const std::string definitions = "const int PROFILES = 1;\nconst int FUNCTIONS = " +
+    std::to_string(functions) + ";\nconst float COUNT_UNIT = " + std::to_string(CountUnit) + ".0;\n";
+  return program.Build({ { GL_COMPUTE_SHADER,
+    { definitions.c_str(), rtwWarpFocus, rtwWarpNonOrthogonal, rtwViewSampleAccess, rtwLitSample,
+      rtwUserFunction, "return 1.0;\n}\n", rtwImportance, rtwSamplePlace, rtwBackwardSample,
+      rtwCollectGrid } } });
+}
+}
+
+NonOrthogonalWarpStage::NonOrthogonalWarpStage(std::function<NonOrthogonalSettings()> settings)
+  : Settings(std::move(settings))
+{
+}
+
+WarpShape NonOrthogonalWarpStage::GetShape() const
+{
+  return { "non-orthogonal", rtwWarpNonOrthogonal, rtwBendNonOrthogonal, rtwSlopeNonOrthogonal,
+    false };
+}
+
+bool NonOrthogonalWarpStage::Build()
+{
+  return BuildCollecting(this->Counting, SampleCount) &&
+    BuildCollecting(this->CollectingDemand, SqrtDemand) &&
+    this->Smoothing.Build({ { GL_COMPUTE_SHADER, { rtwSmoothGrid } } }) &&
+    this->Building.Build({ { GL_COMPUTE_SHADER,
+      { "#define GROUP 32\n", rtwWarpFocus, rtwWarpNonOrthogonal, rtwRunningSum,
+        rtwBuildGrid } } }) &&
+    this->Inverting.Build(
+      { { GL_COMPUTE_SHADER, { rtwWarpFocus, rtwWarpNonOrthogonal, rtwGridCentres } } }) &&
+    this->Levelling.Build({ { GL_COMPUTE_SHADER,
+      { rtwWarpFocus, rtwWarpNonOrthogonal, rtwBendNonOrthogonal, rtwGridPyramid } } }) &&
+    this->Tiling.Build({ { GL_COMPUTE_SHADER,
+      { rtwWarpFocus, rtwWarpNonOrthogonal, rtwBendNonOrthogonal, rtwGridTiles } } });
+}
+
+std::string NonOrthogonalWarpStage::GetLog() const
+{
+  return this->Counting.GetLog() + this->CollectingDemand.GetLog() + this->Smoothing.GetLog() +
+    this->Building.GetLog() + this->Inverting.GetLog() + this->Levelling.GetLog() + this->Tiling.GetLog();
+}
+
+void NonOrthogonalWarpStage::Run(
+  const std::vector<LightFrame>& frames, const AnalysisInput& input, const WarpTable& table)
+{
+  this->Used = this->Settings();
+  const std::size_t cells = std::size_t(table.GetCells()) * table.GetCells();
+  this->Collected.Reserve(cells * 2 * sizeof(unsigned int));
+  this->Smoothed.Reserve(cells * 2 * sizeof(float));
+  this->Layers = static_cast<int>(frames.size());
+  this->Report.Reserve(frames.size() * 2 * sizeof(float));
+  this->Report.Clear();
+  for (std::size_t i = 0; i < frames.size(); ++i)
+  {
+    const int layer = static_cast<int>(i);
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      this->Collect(frames[i], layer, axis, input, table);
+      this->Smooth(table);
+      this->BuildFunctions(layer, axis, table);
+    }
+    this->Invert(layer, table);
+    this->BuildPyramid(layer, table);
+    this->BuildTiles(layer, table);
+  }
+}
+
+void NonOrthogonalWarpStage::Collect(const LightFrame& frame, int layer, int axis,
+  const AnalysisInput& input, const WarpTable& table)
+{
+  const Program& program = this->Collecting(this->Used.Demand);
+  this->Collected.Clear();
+  program.Use();
+  this->Collected.BindStorage(0);
+  input.Samples.Bind(program);
+  table.Bind(program);
+  BindLight(program, frame, input.Samples.GetView(), input.Stride);
+  program.Set("rtwLayer", layer);
+  program.Set("rtwAxis", axis);
+  Dispatch(Groups(Groups(input.Samples.GetWidth(), input.Stride), Tile),
+    Groups(Groups(input.Samples.GetHeight(), input.Stride), Tile));
+}
+
+void NonOrthogonalWarpStage::Smooth(const WarpTable& table)
+{
+  const double sigma = this->Used.Smoothing * table.GetCells();
+  this->Smoothing.Use();
+  table.Bind(this->Smoothing);
+  this->Collected.BindStorage(0);
+  this->Smoothed.BindStorage(1);
+  this->Smoothing.Set("rtwUnit", this->Used.Demand ? 1.f : 1.f / CountUnit);
+  // Windows of 2 r + 1 lines have a variance of about ((2 r + 1)² - 1) / 12 each.
+  this->Smoothing.Set(
+    "rtwRadius", static_cast<float>(0.5 * (std::sqrt(1 + 12 * sigma * sigma / Passes) - 1)));
+  for (int pass = 0; pass < Passes; ++pass)
+  {
+    this->Smoothing.Set("rtwPass", pass);
+    Dispatch(Groups(table.GetCells(), 32));
+  }
+}
+
+void NonOrthogonalWarpStage::BuildFunctions(int layer, int axis, const WarpTable& table)
+{
+  this->Building.Use();
+  table.Bind(this->Building);
+  this->Smoothed.BindStorage(0);
+  table.GetGrid().BindStorage(1);
+  this->Report.BindStorage(2);
+  this->Building.Set("rtwLayer", layer);
+  this->Building.Set("rtwAxis", axis);
+  this->Building.Set("rtwIsUnderRoot", this->Used.Demand ? 1 : 0);
+  this->Building.Set("rtwSigma", static_cast<float>(this->Used.Sigma));
+  this->Building.Set("rtwFloor", static_cast<float>(this->Used.Floor));
+  this->Building.Set("rtwLeast", static_cast<float>(LeastShare));
+  Dispatch(table.GetCells());
+}
+
+void NonOrthogonalWarpStage::Invert(int layer, const WarpTable& table)
+{
+  this->Inverting.Use();
+  table.Bind(this->Inverting);
+  table.GetGrid().BindStorage(1);
+  this->Inverting.Set("rtwLayer", layer);
+  Dispatch(table.GetResolution());
+}
+
+void NonOrthogonalWarpStage::BuildPyramid(int layer, const WarpTable& table)
+{
+  this->Levelling.Use();
+  table.Bind(this->Levelling);
+  table.GetBends().BindStorage(2);
+  this->Levelling.Set("rtwLayer", layer);
+  for (int level = 0; level < table.GetBendLevels(); ++level)
+  {
+    const int groups = Groups(table.GetPyramidSide(level), 8);
+    this->Levelling.Set("rtwLevel", level);
+    Dispatch(groups, groups, 2);
+  }
+}
+
+void NonOrthogonalWarpStage::BuildTiles(int layer, const WarpTable& table)
+{
+  this->Tiling.Use();
+  table.Bind(this->Tiling);
+  table.GetBends().BindStorage(2);
+  this->Tiling.Set("rtwLayer", layer);
+  for (int level = 0; level < table.GetTileLevels(); ++level)
+  {
+    const int groups = Groups(table.GetTileSide(level), 8);
+    this->Tiling.Set("rtwLevel", WarpTable::LeastTileLevel + level);
+    Dispatch(groups, groups);
+  }
+}
+
+glm::dvec2 NonOrthogonalWarpStage::ReadGreatestDensity(int layer) const
+{
+  glm::dvec2 density(1);
+  if (layer >= 0 && layer < this->Layers)
+  {
+    float steepest[2];
+    this->Report.Read(layer * sizeof(steepest), steepest, sizeof(steepest));
+    density = { steepest[0], steepest[1] };
+  }
+  return density;
+}
+
+void NonOrthogonalWarpStage::Release()
+{
+  for (Program* program : { &this->Counting, &this->CollectingDemand, &this->Smoothing,
+         &this->Building, &this->Inverting, &this->Levelling, &this->Tiling })
+  {
+    program->Release();
+  }
+  this->Collected.Release();
+  this->Smoothed.Release();
+  this->Report.Release();
+  this->Layers = 0;
+}
+
+void NonOrthogonalWarpStage::Abandon()
+{
+  for (Program* program : { &this->Counting, &this->CollectingDemand, &this->Smoothing,
+         &this->Building, &this->Inverting, &this->Levelling, &this->Tiling })
+  {
+    program->Abandon();
+  }
+  this->Collected.Abandon();
+  this->Smoothed.Abandon();
+  this->Report.Abandon();
+  this->Layers = 0;
+}
+}

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Non-orthogonal texture warping on the GPU: what each cell of a grid asks for, then a function for
+// each row, and, of what those make of it, one for each column.
+#ifndef rtwNonOrthogonalWarpStage_h
+#define rtwNonOrthogonalWarpStage_h
+
+#include "rtwBuffer.h"
+#include "rtwProgram.h"
+#include "rtwWarpStage.h"
+
+#include <functional>
+
+namespace rtw
+{
+struct NonOrthogonalSettings
+{
+  bool Demand = true;      ///< its square root; else samples are counted
+  int Cells = 512;         ///< along both axes
+  double Smoothing = 0.01; ///< of what neighbouring lines ask for: σ, as a share of the focus
+  double Sigma = 2;        ///< of the blur along a line, in cells
+  double Floor = 0.01;     ///< least importance, as a share of a line's mean
+};
+
+class NonOrthogonalWarpStage : public WarpStage
+{
+public:
+  explicit NonOrthogonalWarpStage(std::function<NonOrthogonalSettings()> settings);
+  WarpShape GetShape() const override;
+  bool NeedsViewSamples() const override { return true; }
+  int GetCells() const override { return this->Settings().Cells; }
+  bool Build() override;
+  std::string GetLog() const override;
+  void Run(const std::vector<LightFrame>& frames, const AnalysisInput& input,
+    const WarpTable& table) override;
+  glm::dvec2 ReadGreatestDensity(int layer) const override;
+  void Release() override;
+  void Abandon() override;
+
+private:
+  Program& Collecting(bool demand) { return demand ? this->CollectingDemand : this->Counting; }
+  void Collect(const LightFrame& frame, int layer, int axis, const AnalysisInput& input,
+    const WarpTable& table);
+  void Smooth(const WarpTable& table);
+  void BuildFunctions(int layer, int axis, const WarpTable& table);
+  void Invert(int layer, const WarpTable& table);
+  void BuildPyramid(int layer, const WarpTable& table);
+  void BuildTiles(int layer, const WarpTable& table);
+
+  std::function<NonOrthogonalSettings()> Settings;
+  NonOrthogonalSettings Used; ///< by the frame at work
+  Program Counting, CollectingDemand, Smoothing, Building, Inverting, Levelling, Tiling;
+  Buffer Collected, Smoothed;
+  Buffer Report; ///< a layer, an axis: the greatest slope
+  int Layers = 0;
+};
+}
+
+#endif
