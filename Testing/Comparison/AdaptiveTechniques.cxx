@@ -54,7 +54,8 @@ static_assert(
     1 << static_cast<int>(Importance::SQRT_DEMAND) == vtkRTWShadowMapPass::SQRT_DEMAND &&
     static_cast<int>(Analysis::HYBRID) == vtkRTWShadowMapPass::HYBRID &&
     static_cast<int>(Rasterization::AUTOMATIC) == vtkRTWShadowMapPass::AUTOMATIC &&
-    static_cast<int>(LightPlaneTurn::AUTOMATIC) == vtkRTWShadowMapPass::TURN_AUTOMATIC &&
+    static_cast<int>(LightPlaneTurn::MINIMAL_FRUSTUM) ==
+      vtkRTWShadowMapPass::TURN_MINIMAL_FRUSTUM &&
     static_cast<int>(SampleSource::PREVIOUS_FRAME) == vtkRTWShadowMapPass::PREVIOUS_FRAME &&
     static_cast<int>(DebugPicture::LAYERS) == vtkRTWShadowMapPass::LAYERS,
   "one order");

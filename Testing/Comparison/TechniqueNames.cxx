@@ -30,7 +30,8 @@ const Names<SampleSource>& SampleSourceNames()
 const Names<LightPlaneTurn>& LightPlaneTurnNames()
 {
   static const Names<LightPlaneTurn> names = { { "off", LightPlaneTurn::OFF },
-    { "view-aligned", LightPlaneTurn::VIEW_ALIGNED }, { "automatic", LightPlaneTurn::AUTOMATIC } };
+    { "view-aligned", LightPlaneTurn::VIEW_ALIGNED }, { "automatic", LightPlaneTurn::AUTOMATIC },
+    { "minimal-frustum", LightPlaneTurn::MINIMAL_FRUSTUM } };
   return names;
 }
 

@@ -64,7 +64,8 @@ enum class LightPlaneTurn
 {
   OFF,
   VIEW_ALIGNED,
-  AUTOMATIC
+  AUTOMATIC,
+  MINIMAL_FRUSTUM
 };
 
 enum class SampleSource

@@ -65,8 +65,9 @@ Agreement Compare(rtwShadowStage& stage, vtkLight* light, int index)
   return result;
 }
 
-// Where a pixel's ellipse reaches into two cells of a warp the metric takes the mean of both.
-void Check(rtwShadowStage& stage, vtkLight* light, int index, bool warped)
+// Where a pixel's ellipse reaches into two cells of a warp the metric takes the mean of both. In a
+// cell of a non-orthogonal one the error isn't even the same everywhere.
+void Check(rtwShadowStage& stage, vtkLight* light, int index, rtwTechnique technique)
 {
   Agreement a = Compare(stage, light, index);
   if (!RTW_CHECK(a.Compared > 5000))
@@ -79,9 +80,11 @@ void Check(rtwShadowStage& stage, vtkLight* light, int index, bool warped)
             << a.Quantile(0.995) << " at 99.5 %, " << a.Quantile(0.999) << " at 99.9 %; missing "
             << 100 * double(a.Missing) / pixels << " %, extra " << 100 * double(a.Extra) / pixels
             << " %" << std::endl;
-  RTW_CHECK(a.Quantile(0.5) < 1e-5);
-  RTW_CHECK(a.Quantile(0.99) < (warped ? 0.005 : 2e-4));
-  RTW_CHECK(a.Quantile(0.999) < (warped ? 0.02 : 5e-4));
+  const double bends = technique == rtwTechnique::NoTW ? 2 : 1;
+  const bool warped = technique == rtwTechnique::RTW || technique == rtwTechnique::NoTW;
+  RTW_CHECK(a.Quantile(0.5) < bends * 1e-5);
+  RTW_CHECK(a.Quantile(0.99) < (warped ? bends * 0.005 : 2e-4));
+  RTW_CHECK(a.Quantile(0.999) < (warped ? bends * 0.02 : 5e-4));
   RTW_CHECK(double(a.Missing) < 2e-4 * pixels);
   // The metric leaves out the rim of a cone, beyond 0.97 of its radius.
   RTW_CHECK(double(a.Extra) < (light->GetPositional() ? 0.08 : 1e-3) * pixels);
@@ -101,8 +104,8 @@ void TestTechnique(rtwTechnique technique, const std::string& name)
     camera->SetParallelProjection(parallel);
     camera->SetParallelScale(3.5);
     stage.Render();
-    Check(stage, sun, 0, technique == rtwTechnique::RTW);
-    Check(stage, spot, 1, technique == rtwTechnique::RTW);
+    Check(stage, sun, 0, technique);
+    Check(stage, spot, 1, technique);
   }
 }
 
@@ -147,6 +150,7 @@ int TestAliasingImage(int, char*[])
   TestTechnique(rtwTechnique::Unfocused, "unfocused");
   TestTechnique(rtwTechnique::Uniform, "uniform");
   TestTechnique(rtwTechnique::RTW, "rtw");
+  TestTechnique(rtwTechnique::NoTW, "notw");
   TestAxes();
   return rtwTestResult();
 }

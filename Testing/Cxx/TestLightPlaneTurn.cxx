@@ -65,11 +65,11 @@ void TestSettings()
   pass->SetLightPlaneTurnToViewAligned();
   RTW_CHECK_EQUAL(pass->GetLightPlaneTurn(), View);
   rtwMessageCatcher messages(pass);
-  pass->SetLightPlaneTurn(3);
+  pass->SetLightPlaneTurn(4);
   pass->SetLightPlaneTurn(-1);
   RTW_CHECK_EQUAL(messages.GetNumberOfErrors(), 2);
   RTW_CHECK(
-    messages.GetText().find("SetLightPlaneTurn(3): expected TURN_OFF") != std::string::npos);
+    messages.GetText().find("SetLightPlaneTurn(4): expected TURN_OFF") != std::string::npos);
   RTW_CHECK_EQUAL(pass->GetLightPlaneTurn(), View);
   pass->SetLightPlaneTurnToAutomatic();
   RTW_CHECK_EQUAL(pass->GetLightPlaneTurn(), Automatic);

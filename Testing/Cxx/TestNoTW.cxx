@@ -136,6 +136,55 @@ double LargestStep(rtwShadowStage& stage, int cells)
   return most;
 }
 
+// What was collected is as much along s as along t where samples are counted, and functions are as
+// steep as what was used.
+void TestImportance()
+{
+  rtwShadowStage stage(rtwTechnique::NoTW);
+  stage.Name = "importance";
+  stage.AddObjects();
+  stage.AddSun(3, 5, 2);
+  WarpOf(stage)->SetWeightsToCount();
+  WarpOf(stage)->SetImportanceResolution(128);
+  stage.Render();
+  const vtkSmartPointer<vtkImageData> importance = stage.Pass->GetImportanceImage(0);
+  const vtkSmartPointer<vtkImageData> functions = stage.Pass->GetWarpImage(0);
+  if (!RTW_CHECK(importance && functions))
+  {
+    return;
+  }
+  for (int k = 0; k < 3; ++k)
+  {
+    RTW_CHECK_EQUAL(importance->GetDimensions()[k], k < 2 ? 128 : 2);
+  }
+  double collected[2] = {}, worst = 0;
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    for (int line = 0; line < 128; ++line)
+    {
+      double used = 0;
+      for (int i = 0; i < 128; ++i)
+      {
+        const auto* value = static_cast<float*>(importance->GetScalarPointer(i, line, axis));
+        collected[axis] += value[0];
+        used += value[1];
+      }
+      for (int i = 0; i < 128; ++i)
+      {
+        const auto* value = static_cast<float*>(importance->GetScalarPointer(i, line, axis));
+        const auto* from = static_cast<float*>(functions->GetScalarPointer(i, line, axis));
+        const auto* to = static_cast<float*>(functions->GetScalarPointer(i + 1, line, axis));
+        worst = std::max(worst, std::abs(*to - *from - value[1] / used));
+      }
+    }
+  }
+  std::cout << "importance: " << collected[0] << " and " << collected[1]
+            << " samples, steps differ by " << worst << std::endl;
+  RTW_CHECK(collected[0] > 5000);
+  RTW_CHECK_NEAR(collected[1] / collected[0], 1, 1e-3);
+  RTW_CHECK(worst < 1e-5);
+}
+
 void TestSettings()
 {
   rtwShadowStage stage(rtwTechnique::NoTW);
@@ -208,6 +257,7 @@ int TestNoTW(int, char*[])
   TestLights(rtwChain::Classic);
   TestGlyphs();
   TestRasterization();
+  TestImportance();
   TestSettings();
   TestBadInput();
   TestEmpty();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rtwSceneStage.h"
 
+#include "rtwMapTexels.h"
+
 #include "vtkAdaptiveShadowMapPass.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
@@ -23,7 +25,7 @@ rtwSceneStage::rtwSceneStage(const rtw::Scene& scene)
 }
 
 rtw::ShadowErrors rtwSceneStage::Measure(
-  vtkAdaptiveShadowMapPass* pass, int frames, double* predicted)
+  vtkAdaptiveShadowMapPass* pass, int frames, double* predicted, rtw::TexelFunction* texels)
 {
   vtkNew<vtkShadowRenderStepsPass> steps;
   steps->SetShadowMapPass(pass);
@@ -38,6 +40,10 @@ rtw::ShadowErrors rtwSceneStage::Measure(
   if (predicted)
   {
     *predicted = pass->GetPredictedError(0);
+  }
+  if (texels)
+  {
+    *texels = rtw::TexelsOf(pass, 0);
   }
   pass->SetCaching(caching);
   steps->ReleaseGraphicsResources(this->Window);

@@ -4,6 +4,7 @@
 #ifndef rtwSceneStage_h
 #define rtwSceneStage_h
 
+#include "rtwAliasing.h"
 #include "rtwCompare.h"
 #include "rtwReference.h"
 #include "rtwScene.h"
@@ -23,9 +24,10 @@ public:
   explicit rtwSceneStage(const std::string& scene);
   explicit rtwSceneStage(const rtw::Scene& scene);
 
-  /// Of the last of so many frames, each made anew; and what the pass itself says of it.
-  rtw::ShadowErrors Measure(
-    vtkAdaptiveShadowMapPass* pass, int frames = 1, double* predicted = nullptr);
+  /// Of the last of so many frames, each made anew; what the pass itself says of it, and where
+  /// points of the world lie on its map.
+  rtw::ShadowErrors Measure(vtkAdaptiveShadowMapPass* pass, int frames = 1,
+    double* predicted = nullptr, rtw::TexelFunction* texels = nullptr);
 
   vtkNew<vtkRenderWindow> Window;
   vtkNew<vtkRenderer> Renderer;

@@ -6,8 +6,8 @@
 #include <vtkImageData.h>
 #include <vtkLightCollection.h>
 #include <vtkMatrix4x4.h>
-#include <vtkRTWEGLRenderWindow.h>
 #include <vtkNoTWShadowMapPass.h>
+#include <vtkRTWEGLRenderWindow.h>
 #include <vtkRTWShadowMapPass.h>
 #include <vtkShadowRenderStepsPass.h>
 #include <vtkUniformShadowMapPass.h>

@@ -17,7 +17,8 @@ enum class Turning
 {
   Off,
   ViewAligned,
-  Automatic
+  Automatic,
+  MinimalFrustum ///< Set() tells
 };
 
 class LightTurning
@@ -27,6 +28,8 @@ public:
   /// those who take turns.
   void Begin(
     Turning kind, const void* viewer, const std::vector<ShadowLight>& lights, const View& view);
+  /// Instead of what Begin() has found.
+  void Set(const std::vector<double>& turns) { this->Turns = turns; }
   /// Of each light, in radians.
   const std::vector<double>& GetTurns() const { return this->Turns; }
   /// Whether nothing has been found out about these lights yet.

@@ -50,7 +50,8 @@ constexpr std::size_t WorkBytes = 64 + 16 * PatchClasses + 4 * MostTriangles;
 constexpr std::size_t StraightBytes = 48 * MostTriangles;
 constexpr std::size_t BentBytes = 64 * MostTriangles;
 constexpr std::size_t CoverBytes = 32;
-constexpr std::size_t FinePatches = (PatchClasses - 1) * MostTriangles; // of all classes but the last
+constexpr std::size_t FinePatches =
+  (PatchClasses - 1) * MostTriangles;      // of all classes but the last
 constexpr std::size_t BentDrawOffset = 16; // in a cluster's work
 constexpr std::size_t PatchDrawOffset = 32;
 
@@ -93,8 +94,10 @@ bool CasterDrawing::Build(const WarpShape& warp, TableAccess access)
     this->Warp = warp.Name;
     this->Access = access;
   }
-  // A cluster's few large triangles may need thousands of tiles, and one invocation each to find them.
-  this->Batch = warp.Separable ? CasterBatch{ 128, 3072, 32 } : CasterBatch{ 32, 12288, int(MostTriangles) };
+  // A cluster's few large triangles may need thousands of tiles, and one invocation each to find
+  // them.
+  this->Batch =
+    warp.Separable ? CasterBatch{ 128, 3072, 32 } : CasterBatch{ 32, 12288, int(MostTriangles) };
   const std::string limits = Limits(this->Batch);
   const char* const stored = WarpTable::DefinitionOf(access);
   const char* const cover = warp.Separable ? rtwCoverCasters : rtwCoverByTiles;
@@ -114,7 +117,8 @@ bool CasterDrawing::Build(const WarpShape& warp, TableAccess access)
       { GL_FRAGMENT_SHADER, { rtwCasterGradient, rtwStraightCasterFS } } }) &&
     this->Bent.Build({ { GL_VERTEX_SHADER, { rtwCasterRecords, rtwBentCasterVS } },
       { GL_FRAGMENT_SHADER,
-        { stored, rtwWarpFocus, warp.Function, rtwCasterGradient, rtwCasterPlane, rtwBentCasterFS } } }) &&
+        { stored, rtwWarpFocus, warp.Function, rtwCasterGradient, rtwCasterPlane,
+          rtwBentCasterFS } } }) &&
     this->Patches.Build({ { GL_VERTEX_SHADER,
                             { stored, rtwWarpFocus, warp.Function, limits.c_str(), rtwPatchClasses,
                               rtwCasterRecords, rtwTessellatedCasterVS } },

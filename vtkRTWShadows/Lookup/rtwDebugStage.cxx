@@ -73,10 +73,11 @@ bool DebugStage::Build(const WarpShape& warp)
                  rtwSampleDepth, rtwLitSample, rtwMapSample, rtwAliasingError, rtwMaskValue,
                  rtwDebugColours, rtwDebugViewFS } } },
            150) &&
-    this->Measuring.Build({ { GL_VERTEX_SHADER, { rtwScreenVS } },
-                            { GL_FRAGMENT_SHADER,
-                              { rtwWarpFocus, warp.Function, warp.Slope, rtwViewSampleAccess, rtwLitSample,
-                                rtwMapSample, rtwAliasingError, rtwAliasingErrorFS } } },
+    this->Measuring.Build(
+      { { GL_VERTEX_SHADER, { rtwScreenVS } },
+        { GL_FRAGMENT_SHADER,
+          { rtwWarpFocus, warp.Function, warp.Slope, rtwViewSampleAccess, rtwLitSample,
+            rtwMapSample, rtwAliasingError, rtwAliasingErrorFS } } },
       150);
 }
 

@@ -39,8 +39,8 @@ bool ErrorPrediction::Build(const WarpShape& warp)
   return this->Adding.Build(
     { { GL_VERTEX_SHADER, { rtwScreenVS } },
       { GL_FRAGMENT_SHADER,
-        { definitions.c_str(), rtwWarpFocus, warp.Function, warp.Slope, rtwViewSampleAccess, rtwLitSample,
-          rtwMapSample, rtwAliasingError, rtwShadowEdge, rtwPredictedErrorFS } } },
+        { definitions.c_str(), rtwWarpFocus, warp.Function, warp.Slope, rtwViewSampleAccess,
+          rtwLitSample, rtwMapSample, rtwAliasingError, rtwShadowEdge, rtwPredictedErrorFS } } },
     150);
 }
 

@@ -8,6 +8,7 @@
 #include "vtkImageData.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace rtw
@@ -98,14 +99,16 @@ vtkSmartPointer<vtkImageData> ReadAliasing(const Texture& error)
   return image;
 }
 
-vtkSmartPointer<vtkImageData> MakeImportanceImage(const std::vector<float>& values)
+vtkSmartPointer<vtkImageData> MakeImportanceImage(const std::vector<float>& values, bool isGrid)
 {
   if (values.empty())
   {
     return nullptr;
   }
   auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(static_cast<int>(values.size() / 4), 2, 1);
+  const int cells = static_cast<int>(values.size() / 4); // of both axes
+  const int side = static_cast<int>(std::lround(std::sqrt(double(cells))));
+  image->SetDimensions(isGrid ? side : cells, isGrid ? side : 2, isGrid ? 2 : 1);
   image->AllocateScalars(VTK_FLOAT, 2);
   std::copy(values.begin(), values.end(), static_cast<float*>(image->GetScalarPointer()));
   return image;

@@ -21,8 +21,9 @@ vtkSmartPointer<vtkImageData> ReadShadowMap(const DenseLayers& layers, int layer
 vtkSmartPointer<vtkImageData> ReadWarp(const WarpTable& table, int layer);
 /// Two floats a pixel, as they are.
 vtkSmartPointer<vtkImageData> ReadAliasing(const Texture& error);
-/// Of two rows of two floats a cell; null for none.
-vtkSmartPointer<vtkImageData> MakeImportanceImage(const std::vector<float>& values);
+/// Of two rows of two floats a cell or, of a grid, two slices of as many rows as cells; null for
+/// none.
+vtkSmartPointer<vtkImageData> MakeImportanceImage(const std::vector<float>& values, bool isGrid);
 }
 
 #endif

@@ -98,6 +98,31 @@ void ShadowPipeline::MakeFrames(const FrameScene& scene, const std::vector<Shado
   }
 }
 
+void ShadowPipeline::FindMinimalFrusta(
+  const FrameScene& scene, const std::vector<ShadowLight>& lights, const PipelineOptions& options)
+{
+  this->Minimal.assign(lights.size(), {});
+  if (options.Turn != Turning::MinimalFrustum)
+  {
+    return;
+  }
+  const std::vector<glm::dvec3> corners =
+    VisibleCorners(this->Viewed.ViewToWorld * this->Viewed.ClipToView, scene.Low, scene.High);
+  std::vector<double> turns;
+  for (std::size_t i = 0; i < lights.size(); ++i)
+  {
+    const auto minimal = MinimalFrustum(this->MakeFrame(scene, lights[i], 0), corners);
+    turns.push_back(minimal ? minimal->Turn : 0);
+    if (minimal)
+    {
+      // A spot's origin on its plane isn't everywhere the same one, turned.
+      this->Minimal[i] =
+        BoundsOnLightPlane(this->MakeFrame(scene, lights[i], minimal->Turn), corners);
+    }
+  }
+  this->Turns.Set(turns);
+}
+
 int ShadowPipeline::CountOtherLayers(const FrameScene& scene, std::size_t lights) const
 {
   const bool others = std::any_of(
@@ -141,6 +166,7 @@ bool ShadowPipeline::Update(const View& view, const FrameScene& scene,
   this->Turns.Begin(
     this->OwnDrawing || options.Turn != Turning::Automatic ? options.Turn : Turning::Off,
     options.Viewer, lights, view);
+  this->FindMinimalFrusta(scene, lights, options);
   const std::uint64_t signature = this->Sign(scene, lights, options);
   if (options.Caching && signature == this->LastSignature && this->Settled &&
     this->Turns.GetTurns() == this->DrawnTurns)

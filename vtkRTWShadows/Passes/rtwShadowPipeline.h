@@ -15,6 +15,7 @@
 #include "rtwLightImages.h"
 #include "rtwLightTurning.h"
 #include "rtwMaskStage.h"
+#include "rtwMinimalFrustum.h"
 #include "rtwReceiverShader.h"
 #include "rtwStageTimers.h"
 #include "rtwStatistics.h"
@@ -107,6 +108,9 @@ public:
   /// share them.
   int GetOtherLayers() const { return this->OtherLayers; }
   /// Whether such layers are needed for a scene.
+  /// Of each light, where that is how its plane is turned; it sets the turns.
+  void FindMinimalFrusta(const FrameScene& scene, const std::vector<ShadowLight>& lights,
+    const PipelineOptions& options);
   int CountOtherLayers(const FrameScene& scene, std::size_t lights) const;
   /// The mask of the last frame; made now, where the picture didn't need it.
   const Texture& GetMask(
@@ -150,6 +154,7 @@ private:
   void DrawMaps(StateGuard& guard, const FrameScene& scene, const PipelineOptions& options,
     const MapperDrawing& mappers, const Texture* lastMask, bool still);
   void AskForTurns(const FrameScene& scene, const PipelineOptions& options, const Texture* mask);
+  Rectangle WithoutSamples(std::size_t light, const FilterReach& reach) const;
   void FindFocus(const FrameScene& scene, const PipelineOptions& options);
   bool DrawLightImages(
     StateGuard& guard, const PipelineOptions& options, const MapperDrawing& mappers);
@@ -182,6 +187,8 @@ private:
   bool Resampled = false; ///< whether the analysis looks at the last frame
   bool Settled = true;    ///< false where that frame shows something else than this one
   LightTurning Turns;
+  /// What the view can show, of each light; empty where it isn't asked for, or nothing.
+  std::vector<std::optional<Rectangle>> Minimal;
   std::vector<double> DrawnTurns; ///< of the layers as they are
   FocusStage Focus;
   CasterDrawing Casters;

@@ -74,6 +74,24 @@ void ShadowPipeline::CaptureFrame(const PipelineOptions& options)
   }
 }
 
+// All that can be seen, as far as that is known without view samples.
+Rectangle ShadowPipeline::WithoutSamples(std::size_t light, const FilterReach& reach) const
+{
+  const LightFrame& frame = this->Frames[light];
+  if (!this->Minimal[light])
+  {
+    return frame.Bounds;
+  }
+  const Rectangle& seen = *this->Minimal[light];
+  const bool isSpot = frame.Light.Kind == LightKind::Spot;
+  const glm::dvec2 margin = (isSpot ? reach.World / frame.NearestDistance : reach.World) +
+    reach.Share * (seen.High - seen.Low);
+  const Rectangle focus{ glm::max(seen.Low - margin, frame.Bounds.Low),
+    glm::min(seen.High + margin, frame.Bounds.High) };
+  const bool isAny = focus.Low.x < focus.High.x && focus.Low.y < focus.High.y;
+  return isAny ? focus : frame.Bounds;
+}
+
 // Into the warp table.
 void ShadowPipeline::FindFocus(const FrameScene& scene, const PipelineOptions& options)
 {
@@ -97,7 +115,8 @@ void ShadowPipeline::FindFocus(const FrameScene& scene, const PipelineOptions& o
   {
     for (std::size_t layer = 0; layer < frames.size(); ++layer)
     {
-      this->Table.WriteFocus(static_cast<int>(layer), frames[layer].Bounds);
+      this->Table.WriteFocus(
+        static_cast<int>(layer), this->WithoutSamples(layer % this->Frames.size(), reach));
     }
   }
   for (int layer = 0; layer < this->OtherLayers; ++layer)

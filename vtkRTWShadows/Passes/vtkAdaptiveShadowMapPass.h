@@ -131,9 +131,10 @@ public:
   vtkImageData* GetShadowMapImage(int light, int layer = 0);
 
   /**
-   * A light's warping maps: a row of values at the borders of the cells along s, one along t. Of a vtkNonOrthogonalShadowMapWarp
-   * two slices of such rows: a function along s for each row of the light plane, one along t for each column of what those make of it.
-   * Null and lifetime as for GetShadowMask.
+   * A light's warping maps: a row of values at the borders of the cells along s, one along t. Of a
+   * vtkNonOrthogonalShadowMapWarp two slices of such rows: a function along s for each row of the
+   * light plane, one along t for each column of what those make of it. Null and lifetime as for
+   * GetShadowMask.
    */
   vtkImageData* GetWarpImage(int light, int layer = 0);
 

@@ -73,8 +73,9 @@ void vtkConfigurableShadowMapPass::SetRasterization(int rasterization)
 
 void vtkConfigurableShadowMapPass::SetLightPlaneTurn(int turn)
 {
-  this->Choose(this->LightPlaneTurn, turn, turn >= TURN_OFF && turn <= TURN_AUTOMATIC,
-    "LightPlaneTurn", "TURN_OFF (0), TURN_VIEW_ALIGNED (1) or TURN_AUTOMATIC (2)");
+  this->Choose(this->LightPlaneTurn, turn, turn >= TURN_OFF && turn <= TURN_MINIMAL_FRUSTUM,
+    "LightPlaneTurn",
+    "TURN_OFF (0), TURN_VIEW_ALIGNED (1), TURN_AUTOMATIC (2) or TURN_MINIMAL_FRUSTUM (3)");
 }
 
 void vtkConfigurableShadowMapPass::SetViewSampleSource(int source)

@@ -68,9 +68,10 @@ public:
    */
   enum LightPlaneTurns
   {
-    TURN_OFF = 0,          ///< the same for every view
-    TURN_VIEW_ALIGNED = 1, ///< columns run along what the camera looks along
-    TURN_AUTOMATIC = 2     ///< the turn with the least predicted error
+    TURN_OFF = 0,            ///< the same for every view
+    TURN_VIEW_ALIGNED = 1,   ///< columns run along what the camera looks along
+    TURN_AUTOMATIC = 2,      ///< the turn with the least predicted error
+    TURN_MINIMAL_FRUSTUM = 3 ///< that of the smallest map around all that can be seen
   };
 
   ///@{
@@ -191,21 +192,29 @@ public:
 
   ///@{
   /**
-   * One of LightPlaneTurns; any other value is refused with an error. A map whose columns or rows lie along
-   * walls, roads and edges of what is seen has less error than one that is turned against them.
+   * One of LightPlaneTurns; any other value is refused with an error. A map whose columns or rows
+   * lie along walls, roads and edges of what is seen has less error than one that is turned against
+   * them.
    *
-   * VIEW_ALIGNED lays the map's t axis along the image that the light has of the view's direction; where the camera looks along
-   * the light, within half a degree, it is OFF. AUTOMATIC chooses, for each light, among turns 11.25 degrees apart, of a
-   * rectilinear warp all that differ, and VIEW_ALIGNED, by the formula of GetPredictedError(), on some of the samples
-   * and for a warp by SQRT_DEMAND. A first frame waits for the GPU once to choose, and may draw its maps twice; after that a better
-   * turn is taken a frame or two late, and only where it has a tenth less error, so that it doesn't pop to and fro. When all stands still maps are drawn at most once more. AUTOMATIC is OFF below OpenGL
-   * 4.3. Default: OFF.
+   * VIEW_ALIGNED lays the map's t axis along the image that the light has of the view's direction;
+   * where the camera looks along the light, within half a degree, it is OFF. AUTOMATIC chooses, for
+   * each light, among turns 11.25 degrees apart, of a rectilinear warp all that differ, and
+   * VIEW_ALIGNED, by the formula of GetPredictedError(), on some of the samples and for a warp by
+   * SQRT_DEMAND. A first frame waits for the GPU once to choose, and may draw its maps twice; after
+   * that a better turn is taken a frame or two late, and only where it has a tenth less error, so
+   * that it doesn't pop to and fro. When all stands still maps are drawn at most once more.
+   * AUTOMATIC is OFF below OpenGL 4.3. MINIMAL_FRUSTUM lays the map along the smallest rectangle
+   * around what the view's frustum and the scene's bounds have in common, as the light sees it
+   * (Milet et al. 2015, section 3.2), found on the CPU. Without FocusOnView the map is that
+   * rectangle, which needs no view samples; with it, what the samples take of it. Where there is no
+   * such rectangle it is OFF. Default: OFF.
    */
   virtual void SetLightPlaneTurn(int turn);
   vtkGetMacro(LightPlaneTurn, int);
   void SetLightPlaneTurnToOff() { this->SetLightPlaneTurn(TURN_OFF); }
   void SetLightPlaneTurnToViewAligned() { this->SetLightPlaneTurn(TURN_VIEW_ALIGNED); }
   void SetLightPlaneTurnToAutomatic() { this->SetLightPlaneTurn(TURN_AUTOMATIC); }
+  void SetLightPlaneTurnToMinimalFrustum() { this->SetLightPlaneTurn(TURN_MINIMAL_FRUSTUM); }
   ///@}
 
   ///@{

@@ -84,7 +84,8 @@ public:
    * proportional to. Importance is in the unit of its functions: the greatest of a cell's samples,
    * with SAMPLE_COUNT their sum, and with SQRT_DEMAND the square root of the sum of one over the
    * footprint, which is a share of the focus. Sums are over view samples, of which there is one in
-   * ViewSampleStride pixels along both axes; those of a FORWARD analysis are over all pixels. Null
+   * ViewSampleStride pixels along both axes; those of a FORWARD analysis are over all pixels. Of a
+   * vtkNonOrthogonalShadowMapWarp two slices of such rows, one for each of its functions. Null
    * also where the warp goes by no importance, as does that of a uniform map; otherwise null and
    * lifetime as for GetShadowMask.
    */

@@ -11,7 +11,8 @@ namespace
 {
 constexpr int Passes = 3; // of smoothing
 
-// The mean over a window of that radius, whose outermost lines count in part; none lie beyond the ends.
+// The mean over a window of that radius, whose outermost lines count in part; none lie beyond the
+// ends.
 std::vector<double> WindowMean(const std::vector<double>& lines, double radius)
 {
   const int count = static_cast<int>(lines.size()), whole = static_cast<int>(std::floor(radius));

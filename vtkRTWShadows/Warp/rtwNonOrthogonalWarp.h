@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The double-precision twin of the non-orthogonal warp in rtwWarpNonOrthogonal.glsl and of the shaders that build it, with its inverse.
+// The double-precision twin of the non-orthogonal warp in rtwWarpNonOrthogonal.glsl and of the
+// shaders that build it, with its inverse.
 #ifndef rtwNonOrthogonalWarp_h
 #define rtwNonOrthogonalWarp_h
 
@@ -11,13 +12,15 @@
 
 namespace rtw
 {
-/// A function of one coordinate, `along`, that is a WarpingFunction on each of so many lines and changes linearly from the middle of one to
-/// that of the next in the other, `across`. Outside [0, 1] it is no warp.
+/// A function of one coordinate, `along`, that is a WarpingFunction on each of so many lines and
+/// changes linearly from the middle of one to that of the next in the other, `across`. Outside [0,
+/// 1] it is no warp.
 class WarpingGrid
 {
 public:
-  /// From what each line's cells ask for, line by line: averaged over neighbouring lines with a Gaussian of so many lines, or nearly that
-  /// (Milet et al. 2015, step 5); the root is taken where it is demand; then each line by WarpingFunction::FromImportance().
+  /// From what each line's cells ask for, line by line: averaged over neighbouring lines with a
+  /// Gaussian of so many lines, or nearly that (Milet et al. 2015, step 5); the root is taken where
+  /// it is demand; then each line by WarpingFunction::FromImportance().
   static WarpingGrid FromImportance(
     std::vector<std::vector<double>> lines, double across, bool root, double sigma, double floor);
   static WarpingGrid FromFunctions(std::vector<WarpingFunction> lines);
@@ -38,7 +41,8 @@ private:
   std::vector<WarpingFunction> Lines{ WarpingFunction(), WarpingFunction() };
 };
 
-/// NoTW: a function along s for each row, then one along t for each column of the result (Milet et al. 2015, equation 6, but continuous).
+/// NoTW: a function along s for each row, then one along t for each column of the result (Milet et
+/// al. 2015, equation 6, but continuous).
 struct NonOrthogonalWarp
 {
   Rectangle Focus;

@@ -40,8 +40,9 @@ constexpr int Passes = 3; // of smoothing
 
 bool BuildCollecting(Program& program, int functions)
 {
-  const std::string definitions = "const int PROFILES = 1;\nconst int FUNCTIONS = " +
-    std::to_string(functions) + ";\nconst float COUNT_UNIT = " + std::to_string(CountUnit) + ".0;\n";
+  const std::string definitions =
+    "const int PROFILES = 1;\nconst int FUNCTIONS = " + std::to_string(functions) +
+    ";\nconst float COUNT_UNIT = " + std::to_string(CountUnit) + ".0;\n";
   return program.Build({ { GL_COMPUTE_SHADER,
     { definitions.c_str(), rtwWarpFocus, rtwWarpNonOrthogonal, rtwViewSampleAccess, rtwLitSample,
       rtwUserFunction, "return 1.0;\n}\n", rtwImportance, rtwSamplePlace, rtwBackwardSample,
@@ -79,7 +80,8 @@ bool NonOrthogonalWarpStage::Build()
 std::string NonOrthogonalWarpStage::GetLog() const
 {
   return this->Counting.GetLog() + this->CollectingDemand.GetLog() + this->Smoothing.GetLog() +
-    this->Building.GetLog() + this->Inverting.GetLog() + this->Levelling.GetLog() + this->Tiling.GetLog();
+    this->Building.GetLog() + this->Inverting.GetLog() + this->Levelling.GetLog() +
+    this->Tiling.GetLog();
 }
 
 void NonOrthogonalWarpStage::Run(
@@ -92,6 +94,8 @@ void NonOrthogonalWarpStage::Run(
   this->Layers = static_cast<int>(frames.size());
   this->Report.Reserve(frames.size() * 2 * sizeof(float));
   this->Report.Clear();
+  this->Profiles.Reserve(frames.size() * 4 * cells * sizeof(float));
+  this->Cells = table.GetCells();
   for (std::size_t i = 0; i < frames.size(); ++i)
   {
     const int layer = static_cast<int>(i);
@@ -107,8 +111,8 @@ void NonOrthogonalWarpStage::Run(
   }
 }
 
-void NonOrthogonalWarpStage::Collect(const LightFrame& frame, int layer, int axis,
-  const AnalysisInput& input, const WarpTable& table)
+void NonOrthogonalWarpStage::Collect(
+  const LightFrame& frame, int layer, int axis, const AnalysisInput& input, const WarpTable& table)
 {
   const Program& program = this->Collecting(this->Used.Demand);
   this->Collected.Clear();
@@ -123,6 +127,11 @@ void NonOrthogonalWarpStage::Collect(const LightFrame& frame, int layer, int axi
     Groups(Groups(input.Samples.GetHeight(), input.Stride), Tile));
 }
 
+float NonOrthogonalWarpStage::Unit() const
+{
+  return this->Used.Demand ? 1.f : 1.f / CountUnit;
+}
+
 void NonOrthogonalWarpStage::Smooth(const WarpTable& table)
 {
   const double sigma = this->Used.Smoothing * table.GetCells();
@@ -130,7 +139,7 @@ void NonOrthogonalWarpStage::Smooth(const WarpTable& table)
   table.Bind(this->Smoothing);
   this->Collected.BindStorage(0);
   this->Smoothed.BindStorage(1);
-  this->Smoothing.Set("rtwUnit", this->Used.Demand ? 1.f : 1.f / CountUnit);
+  this->Smoothing.Set("rtwUnit", this->Unit());
   // Windows of 2 r + 1 lines have a variance of about ((2 r + 1)² - 1) / 12 each.
   this->Smoothing.Set(
     "rtwRadius", static_cast<float>(0.5 * (std::sqrt(1 + 12 * sigma * sigma / Passes) - 1)));
@@ -148,6 +157,9 @@ void NonOrthogonalWarpStage::BuildFunctions(int layer, int axis, const WarpTable
   this->Smoothed.BindStorage(0);
   table.GetGrid().BindStorage(1);
   this->Report.BindStorage(2);
+  this->Collected.BindStorage(3);
+  this->Profiles.BindStorage(4);
+  this->Building.Set("rtwUnit", this->Unit());
   this->Building.Set("rtwLayer", layer);
   this->Building.Set("rtwAxis", axis);
   this->Building.Set("rtwIsUnderRoot", this->Used.Demand ? 1 : 0);
@@ -206,6 +218,18 @@ glm::dvec2 NonOrthogonalWarpStage::ReadGreatestDensity(int layer) const
   return density;
 }
 
+std::vector<float> NonOrthogonalWarpStage::ReadImportance(int layer) const
+{
+  std::vector<float> values;
+  if (layer >= 0 && layer < this->Layers)
+  {
+    values.resize(std::size_t(4) * this->Cells * this->Cells);
+    const std::size_t bytes = values.size() * sizeof(float);
+    this->Profiles.Read(layer * bytes, values.data(), bytes);
+  }
+  return values;
+}
+
 void NonOrthogonalWarpStage::Release()
 {
   for (Program* program : { &this->Counting, &this->CollectingDemand, &this->Smoothing,
@@ -216,6 +240,7 @@ void NonOrthogonalWarpStage::Release()
   this->Collected.Release();
   this->Smoothed.Release();
   this->Report.Release();
+  this->Profiles.Release();
   this->Layers = 0;
 }
 
@@ -229,6 +254,7 @@ void NonOrthogonalWarpStage::Abandon()
   this->Collected.Abandon();
   this->Smoothed.Abandon();
   this->Report.Abandon();
+  this->Profiles.Abandon();
   this->Layers = 0;
 }
 }

@@ -16,7 +16,7 @@ struct NonOrthogonalSettings
 {
   bool Demand = true;      ///< its square root; else samples are counted
   int Cells = 512;         ///< along both axes
-  double Smoothing = 0.01; ///< of what neighbouring lines ask for: σ, as a share of the focus
+  double Smoothing = 0.05; ///< of what neighbouring lines ask for: σ, as a share of the focus
   double Sigma = 2;        ///< of the blur along a line, in cells
   double Floor = 0.01;     ///< least importance, as a share of a line's mean
 };
@@ -33,6 +33,7 @@ public:
   void Run(const std::vector<LightFrame>& frames, const AnalysisInput& input,
     const WarpTable& table) override;
   glm::dvec2 ReadGreatestDensity(int layer) const override;
+  std::vector<float> ReadImportance(int layer) const override;
   void Release() override;
   void Abandon() override;
 
@@ -40,6 +41,7 @@ private:
   Program& Collecting(bool demand) { return demand ? this->CollectingDemand : this->Counting; }
   void Collect(const LightFrame& frame, int layer, int axis, const AnalysisInput& input,
     const WarpTable& table);
+  float Unit() const; ///< of what is collected
   void Smooth(const WarpTable& table);
   void BuildFunctions(int layer, int axis, const WarpTable& table);
   void Invert(int layer, const WarpTable& table);
@@ -50,8 +52,10 @@ private:
   NonOrthogonalSettings Used; ///< by the frame at work
   Program Counting, CollectingDemand, Smoothing, Building, Inverting, Levelling, Tiling;
   Buffer Collected, Smoothed;
-  Buffer Report; ///< a layer, an axis: the greatest slope
+  Buffer Profiles; ///< a layer, an axis, a line, a cell: importance as collected and as used
+  Buffer Report;   ///< a layer, an axis: the greatest slope
   int Layers = 0;
+  int Cells = 0;
 };
 }
 

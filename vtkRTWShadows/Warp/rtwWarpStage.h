@@ -65,7 +65,8 @@ public:
   /// for the GPU.
   virtual glm::dvec2 ReadGreatestDensity(int layer) const = 0;
   /// Of each cell along s, then along t: the importance as it was collected, and as it was used.
-  /// Empty for a layer that there isn't, and where the warp goes by none. Waits for the GPU.
+  /// Of a warp that isn't separable, of each line's cells, line by line. Empty for a layer that
+  /// there isn't, and where the warp goes by none. Waits for the GPU.
   virtual std::vector<float> ReadImportance(int) const { return {}; }
   virtual void Release() = 0;
   virtual void Abandon() = 0;

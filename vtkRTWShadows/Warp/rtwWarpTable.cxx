@@ -41,7 +41,8 @@ void WarpTable::Allocate(int cells, int resolution, int layers, int gridLayers)
     return;
   }
   this->Bends.Allocate(4,
-    std::size_t(gridLayers) * (2 * (this->GetPyramidPlaces().back() + this->GetTilePlaces().back())));
+    std::size_t(gridLayers) *
+      (2 * (this->GetPyramidPlaces().back() + this->GetTilePlaces().back())));
   this->Grid.Allocate(2, gridLayers * this->GetGridLength());
 }
 

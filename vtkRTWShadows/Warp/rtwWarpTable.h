@@ -28,7 +28,7 @@ public:
   static constexpr int Unit = 5; ///< texture unit in our own programs
   static constexpr int BendUnit = 6;
   static constexpr int GridUnit = 7;
-  static constexpr int LeastTileLevel = 2; // as in rtwBendNonOrthogonal.glsl
+  static constexpr int LeastTileLevel = 2;          // as in rtwBendNonOrthogonal.glsl
   static constexpr unsigned int StorageBinding = 7; // as in rtwWarpFocus.glsl
   static constexpr unsigned int UniformBinding = 0; // and the next
   static constexpr std::size_t UniformBytes = 4096 * 16; // of a block, as there
@@ -63,12 +63,16 @@ public:
   /// Of the pyramid of tiles of the map that a grid has; the last one's side is 1.
   int GetTileLevels() const;
   int GetTileSide(int level) const;
-  std::size_t GetMemory() const { return this->Table.GetMemory() + this->Bends.GetMemory() + this->Grid.GetMemory(); }
+  std::size_t GetMemory() const
+  {
+    return this->Table.GetMemory() + this->Bends.GetMemory() + this->Grid.GetMemory();
+  }
   /// A layer's focus, as the GPU has it. Waits for the GPU.
   Rectangle ReadFocus(int layer) const;
   /// The whole table, row by row, two floats a texel. Waits for the GPU.
   std::vector<float> Read() const;
-  /// A layer's functions, line by line, each cell's two ends; those along s first. Waits for the GPU.
+  /// A layer's functions, line by line, each cell's two ends; those along s first. Waits for the
+  /// GPU.
   std::vector<float> ReadGrid(int layer) const;
   void Release();
   void Abandon();

@@ -32,8 +32,8 @@ void vtkNonOrthogonalShadowMapWarp::SetSmoothing(double share)
 {
   if (!std::isfinite(share))
   {
-    vtkErrorMacro("SetSmoothing(" << share << "): expected a number from 0 to 1; keeping "
-                                  << this->Smoothing);
+    vtkErrorMacro(
+      "SetSmoothing(" << share << "): expected a number from 0 to 1; keeping " << this->Smoothing);
     return;
   }
   share = std::clamp(share, 0.0, 1.0);

@@ -28,7 +28,7 @@ public:
    */
   enum SampleWeights
   {
-    COUNT = 0,      ///< view samples, so that each texel gets as many (Milet et al. 2015, section 3)
+    COUNT = 0, ///< view samples, so that each texel gets as many (Milet et al. 2015, section 3)
     SQRT_DEMAND = 1 ///< the square root of the sum of one over their footprints: the least error
   };
 
@@ -54,8 +54,9 @@ public:
   /**
    * How far what neighbouring lines ask for is averaged (Milet et al. 2015, step 5): σ of a
    * Gaussian, as a share of the focus. More makes lines more alike, in the end those of a
-   * rectilinear warp. Clamped to 0 to 1; what is not a number is refused with an error. Default:
-   * 0.01.
+   * rectilinear warp, and bends triangles less, so that they are drawn faster. Clamped to 0 to 1;
+   * what is not a number is refused with an error. Default: 0.05, which on most scenes has less
+   * error than 0.01 and takes half of its time.
    */
   virtual void SetSmoothing(double share);
   vtkGetMacro(Smoothing, double);

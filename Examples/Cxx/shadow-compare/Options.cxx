@@ -121,7 +121,7 @@ std::vector<rtw::CommandLineOption> Entries(Options& options)
       [&](const std::string& value) {
         settings.EdgeLength = ReadNumber("--edge-length", value, 0.001, 1);
       } },
-    { "--light-plane-turn", "T", "off, view-aligned or automatic",
+    { "--light-plane-turn", "T", "off, view-aligned, automatic or minimal-frustum",
       [&](const std::string& value) {
         settings.Turn = Choose("--light-plane-turn", value, LightPlaneTurnNames());
       } },
@@ -129,7 +129,8 @@ std::vector<rtw::CommandLineOption> Entries(Options& options)
       [&](const std::string& value) {
         settings.Samples = Choose("--view-samples", value, SampleSourceNames());
       } },
-    { "--sample-stride", "N", "pixels a side of a square that gives a view sample, 1 to 64; default 2",
+    { "--sample-stride", "N",
+      "pixels a side of a square that gives a view sample, 1 to 64; default 2",
       [&](const std::string& value) {
         settings.SampleStride = ReadWhole("--sample-stride", value, 1, 64);
       } },

@@ -152,7 +152,8 @@ TEST(NonOrthogonalWarp, SpreadsCountedSamplesEvenly)
   for (const glm::dvec2& q : samples)
   {
     const glm::dvec2 m = warp.Forward(q);
-    ++lists[std::min(int(m.y * Texels), Texels - 1) * Texels + std::min(int(m.x * Texels), Texels - 1)];
+    ++lists[std::min(int(m.y * Texels), Texels - 1) * Texels +
+      std::min(int(m.x * Texels), Texels - 1)];
     ++plain[int(q.y * Texels) * Texels + int(q.x * Texels)];
   }
   const double mean = double(samples.size()) / (Texels * Texels);
