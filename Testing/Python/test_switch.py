@@ -199,7 +199,7 @@ class TestSwitch(unittest.TestCase):
             plotter.picture()
             self.assertGreater(coarse, 1.3 * shadows.GetPredictedError(0))
             self.assertGreater(shadows.GetPredictedError(0), 0)
-        with self.assertRaisesRegex(ValueError, "light_plane_turn='left'.*automatic, off, view"):
+        with self.assertRaisesRegex(ValueError, "light_plane_turn='left'.*automatic, minimalfrustum, off, view"):
             rtwshadows.enable_shadows(plotter, light_plane_turn="left")
 
     def test_importance(self):

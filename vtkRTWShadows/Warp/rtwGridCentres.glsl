@@ -15,24 +15,32 @@ float rtwAtBorder(float line, int border)
   return border < rtwWarpSize.x ? rtwGridEntry(rtwLayer, 0, line, border).x : 1.0;
 }
 
-float rtwInColumn(float target)
+// Among how many cells the next one is looked for first, before and behind the last one.
+const int NEAR_CELLS = 2;
+
+// The cell of a function that goes from 0 to 1, in which it reaches the target.
+int rtwCellInColumn(float target, int last)
 {
-  int low = 0;
-  int high = rtwWarpSize.x;
+  int low = max(last - NEAR_CELLS, 0);
+  int high = min(last + NEAR_CELLS + 1, rtwWarpSize.x);
+  low = rtwColumn[low] <= target ? low : 0;
+  high = rtwColumn[high] > target ? high : rtwWarpSize.x;
   while (high - low > 1)
   {
     int middle = (low + high) / 2;
-    low = rtwColumn[middle] <= target ? middle : low;
-    high = rtwColumn[middle] <= target ? high : middle;
+    bool before = rtwColumn[middle] <= target;
+    low = before ? middle : low;
+    high = before ? high : middle;
   }
-  return (float(low) + (target - rtwColumn[low]) / (rtwColumn[low + 1] - rtwColumn[low])) / float(rtwWarpSize.x);
+  return low;
 }
 
-float rtwInRow(float t, float target)
+int rtwCellInRow(float line, float target, int last)
 {
-  float line = rtwLineBefore(t);
-  int low = 0;
-  int high = rtwWarpSize.x;
+  int low = max(last - NEAR_CELLS, 0);
+  int high = min(last + NEAR_CELLS + 1, rtwWarpSize.x);
+  low = rtwAtBorder(line, low) <= target ? low : 0;
+  high = rtwAtBorder(line, high) > target ? high : rtwWarpSize.x;
   while (high - low > 1)
   {
     int middle = (low + high) / 2;
@@ -40,8 +48,12 @@ float rtwInRow(float t, float target)
     low = before ? middle : low;
     high = before ? high : middle;
   }
-  vec2 ends = rtwGridEntry(rtwLayer, 0, line, low);
-  return (float(low) + (target - ends.x) / (ends.y - ends.x)) / float(rtwWarpSize.x);
+  return low;
+}
+
+float rtwPlaceInCell(int cell, vec2 ends, float target)
+{
+  return (float(cell) + (target - ends.x) / (ends.y - ends.x)) / float(rtwWarpSize.x);
 }
 
 void main()
@@ -49,20 +61,29 @@ void main()
   int cells = rtwWarpSize.x;
   int side = rtwWarpSize.y;
   int column = int(gl_WorkGroupID.x);
+  int me = int(gl_LocalInvocationIndex);
   float s = (float(column) + 0.5) / float(side);
   float line = rtwLineBefore(s);
-  for (int i = int(gl_LocalInvocationIndex); i < cells; i += 32)
+  for (int i = me; i < cells; i += 32)
   {
     rtwColumn[i] = rtwGridEntry(rtwLayer, 1, line, i).x;
   }
-  if (gl_LocalInvocationIndex == 0u)
+  if (me == 0)
   {
     rtwColumn[cells] = 1.0;
   }
   barrier();
-  for (int row = int(gl_LocalInvocationIndex); row < side; row += 32)
+  // One row after another, whose cells are near each other's.
+  int each = (side + 31) / 32;
+  ivec2 cell = ivec2(cells / 2);
+  for (int row = me * each; row < min((me + 1) * each, side); ++row)
   {
-    float t = rtwInColumn((float(row) + 0.5) / float(side));
-    rtwGrid[rtwCentrePlace(rtwLayer, ivec2(column, row))] = vec2(rtwInRow(t, s), t);
+    float target = (float(row) + 0.5) / float(side);
+    cell.y = rtwCellInColumn(target, cell.y);
+    float t = rtwPlaceInCell(cell.y, vec2(rtwColumn[cell.y], rtwColumn[cell.y + 1]), target);
+    float before = rtwLineBefore(t);
+    cell.x = rtwCellInRow(before, s, cell.x);
+    rtwGrid[rtwCentrePlace(rtwLayer, ivec2(column, row))] =
+      vec2(rtwPlaceInCell(cell.x, rtwGridEntry(rtwLayer, 0, before, cell.x), s), t);
   }
 }
