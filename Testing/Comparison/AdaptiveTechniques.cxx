@@ -233,6 +233,15 @@ std::unique_ptr<Technique> MakeNoTWTechnique(const TechniqueSettings& settings)
       pass->GetNonOrthogonalWarp()->SetWeightsToCount();
     }
   }
+  if (settings.Smoothing)
+  {
+    pass->GetNonOrthogonalWarp()->AutomaticSmoothingOff();
+    pass->GetNonOrthogonalWarp()->SetSmoothing(*settings.Smoothing);
+  }
+  if (settings.Cells)
+  {
+    pass->GetNonOrthogonalWarp()->SetImportanceResolution(*settings.Cells);
+  }
   return std::make_unique<AdaptiveTechnique>(pass, settings);
 }
 }

@@ -108,6 +108,8 @@ struct TechniqueSettings
   std::optional<bool> CullEmptyCells;
   std::optional<double> TemporalBlending;
   std::optional<bool> Snapping;
+  std::optional<double> Smoothing;               // of notw, a share of the focus
+  std::optional<int> Cells;                      // a side, of notw
   bool Stages = false;                           // whether to time the stages on the GPU
 };
 

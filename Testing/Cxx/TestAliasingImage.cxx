@@ -9,6 +9,8 @@
 #include "vtkImageData.h"
 #include "vtkLightCollection.h"
 #include "vtkMatrix4x4.h"
+#include "vtkNonOrthogonalShadowMapWarp.h"
+#include "vtkNoTWShadowMapPass.h"
 
 #include <algorithm>
 #include <cmath>
@@ -94,6 +96,11 @@ void TestTechnique(rtwTechnique technique, const std::string& name)
 {
   rtwShadowStage stage(technique);
   rtwFillForDebugViews(stage);
+  if (auto* notw = vtkNoTWShadowMapPass::SafeDownCast(stage.Pass))
+  {
+    // The less its functions are smoothed, the more does a slope change within a pixel.
+    notw->GetNonOrthogonalWarp()->AutomaticSmoothingOff();
+  }
   auto* lights = stage.Renderer->GetLights();
   auto* sun = vtkLight::SafeDownCast(lights->GetItemAsObject(0));
   auto* spot = vtkLight::SafeDownCast(lights->GetItemAsObject(1));

@@ -2,6 +2,7 @@
 // Non-orthogonal texture warping beside exact rays: lights of both kinds and several of them, what
 // only VTK's mappers draw, floors of two triangles, the ways of rasterizing, and its settings.
 #include "rtwDebugViews.h"
+#include "rtwNonOrthogonalWarp.h"
 
 #include "vtkCamera.h"
 #include "vtkImageData.h"
@@ -14,6 +15,7 @@
 #include <cmath>
 #include <iostream>
 #include <limits>
+#include <vector>
 
 namespace
 {
@@ -185,6 +187,70 @@ void TestImportance()
   RTW_CHECK(worst < 1e-5);
 }
 
+// By the twin in double, from what was collected. How much smoothing was chosen along both axes.
+double TestAutomaticSmoothing(int weights, int rasterization)
+{
+  constexpr int cells = 128;
+  constexpr unsigned int resolution = 256;
+  rtwShadowStage stage(rtwTechnique::NoTW);
+  stage.Name = "automatic";
+  stage.AddObjects();
+  stage.AddSun(3, 5, 2);
+  WarpOf(stage)->SetWeights(weights);
+  WarpOf(stage)->SetImportanceResolution(cells);
+  stage.Pass->SetRasterization(rasterization);
+  stage.Pass->SetMaximumEdgeLength(0.04);
+  stage.Pass->SetResolution(resolution);
+  stage.Render();
+  const bool root = weights == vtkNonOrthogonalShadowMapWarp::SQRT_DEMAND;
+  const double straight = rasterization == vtkAdaptiveShadowMapPass::LINEAR ? 0.25
+    : rasterization == vtkAdaptiveShadowMapPass::TESSELLATED                ? 0.04
+                                                                            : 0;
+  const vtkSmartPointer<vtkImageData> importance = stage.Pass->GetImportanceImage(0);
+  const vtkSmartPointer<vtkImageData> functions = stage.Pass->GetWarpImage(0);
+  double all = 0, worst = 0;
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    std::vector<std::vector<double>> asked(cells, std::vector<double>(cells));
+    for (int line = 0; line < cells; ++line)
+    {
+      for (int i = 0; i < cells; ++i)
+      {
+        const double value = *static_cast<float*>(importance->GetScalarPointer(i, line, axis));
+        asked[line][i] = root ? value * value : value;
+      }
+    }
+    const double smoothing = rtw::WarpingGrid::ChooseSmoothing(
+      asked, root, 0.01, rtw::SmoothingChoice::BendCost(straight, resolution));
+    all += smoothing;
+    const rtw::WarpingGrid grid =
+      rtw::WarpingGrid::FromImportance(asked, smoothing * cells, root, 2, 0.01);
+    for (int line = 0; line < cells; ++line)
+    {
+      for (int i = 0; i < cells; ++i)
+      {
+        const double value = *static_cast<float*>(functions->GetScalarPointer(i, line, axis));
+        worst = std::max(worst, std::abs(value - grid.GetLines()[line].GetValues()[i]));
+      }
+    }
+  }
+  std::cout << "automatic: weights " << weights << ", rasterization " << rasterization
+            << ": smoothing " << 0.5 * all << ", functions differ by " << worst << std::endl;
+  // Running sums of floats leave what is small beside what they had; its root is less small.
+  RTW_CHECK(worst < (root ? 3e-3 : 1e-4));
+  return all;
+}
+
+void TestAutomaticSmoothing()
+{
+  const int demand = vtkNonOrthogonalShadowMapWarp::SQRT_DEMAND;
+  TestAutomaticSmoothing(vtkNonOrthogonalShadowMapWarp::COUNT, vtkAdaptiveShadowMapPass::AUTOMATIC);
+  const double exact = TestAutomaticSmoothing(demand, vtkAdaptiveShadowMapPass::EXACT);
+  const double pieces = TestAutomaticSmoothing(demand, vtkAdaptiveShadowMapPass::TESSELLATED);
+  const double straight = TestAutomaticSmoothing(demand, vtkAdaptiveShadowMapPass::LINEAR);
+  RTW_CHECK(exact < pieces && pieces < straight);
+}
+
 void TestSettings()
 {
   rtwShadowStage stage(rtwTechnique::NoTW);
@@ -195,6 +261,7 @@ void TestSettings()
   double before = 1;
   for (const double smoothing : { 0.01, 0.05, 0.3 })
   {
+    warp->AutomaticSmoothingOff();
     warp->SetSmoothing(smoothing);
     warp->SetImportanceResolution(256);
     stage.Render();
@@ -258,6 +325,7 @@ int TestNoTW(int, char*[])
   TestGlyphs();
   TestRasterization();
   TestImportance();
+  TestAutomaticSmoothing();
   TestSettings();
   TestBadInput();
   TestEmpty();

@@ -6,6 +6,19 @@
 
 namespace rtw
 {
+namespace
+{
+constexpr GLenum Modes[] = { GL_TRIANGLES, GL_LINES, GL_POINTS }; // as Primitive
+
+// To all that comes after a compute program.
+void ShowWhatWasWritten()
+{
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |
+    GL_TEXTURE_FETCH_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT |
+    GL_BUFFER_UPDATE_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
+}
+}
+
 void MeshArray::Bind(const Buffer& points, const Buffer& indices, const Buffer& matrices)
 {
   if (!this->Id)
@@ -36,9 +49,8 @@ void MeshArray::DrawIndirect(const Buffer& commands, int count) const
 
 void MeshArray::Draw(Primitive primitive, const DrawCommand& command) const
 {
-  static const GLenum modes[] = { GL_TRIANGLES, GL_LINES, GL_POINTS };
   const auto* first = static_cast<const char*>(nullptr) + sizeof(std::uint32_t) * command.FirstIndex;
-  glDrawElementsInstancedBaseVertexBaseInstance(modes[static_cast<int>(primitive)],
+  glDrawElementsInstancedBaseVertexBaseInstance(Modes[static_cast<int>(primitive)],
     static_cast<GLsizei>(command.Count), GL_UNSIGNED_INT, first,
     static_cast<GLsizei>(command.InstanceCount), static_cast<GLint>(command.BaseVertex),
     command.BaseInstance);
@@ -54,7 +66,7 @@ void MeshArray::Release()
 }
 
 void PulledVertices::DrawIndirect(
-  const Buffer& commands, std::size_t offset, int count, std::size_t stride)
+  Primitive primitive, const Buffer& commands, std::size_t offset, int count, std::size_t stride)
 {
   if (!this->Id)
   {
@@ -62,8 +74,14 @@ void PulledVertices::DrawIndirect(
   }
   glBindVertexArray(this->Id);
   commands.Bind(GL_DRAW_INDIRECT_BUFFER);
-  glMultiDrawArraysIndirect(GL_TRIANGLES, static_cast<const char*>(nullptr) + offset, count,
-    static_cast<GLsizei>(stride));
+  const bool sized = glIsEnabled(GL_PROGRAM_POINT_SIZE) == GL_TRUE;
+  glEnable(GL_PROGRAM_POINT_SIZE);
+  glMultiDrawArraysIndirect(Modes[static_cast<int>(primitive)],
+    static_cast<const char*>(nullptr) + offset, count, static_cast<GLsizei>(stride));
+  if (!sized)
+  {
+    glDisable(GL_PROGRAM_POINT_SIZE);
+  }
   glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
 }
 
@@ -141,9 +159,22 @@ void Dispatch(int groupsX, int groupsY, int groupsZ)
   }
   glDispatchCompute(static_cast<GLuint>(groupsX), static_cast<GLuint>(groupsY),
     static_cast<GLuint>(groupsZ));
-  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |
-    GL_TEXTURE_FETCH_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT |
-    GL_BUFFER_UPDATE_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
+  ShowWhatWasWritten();
+}
+
+float LargestPointSize()
+{
+  float sizes[2] = { 1, 1 };
+  glGetFloatv(GL_POINT_SIZE_RANGE, sizes);
+  return sizes[1];
+}
+
+void DispatchIndirect(const Buffer& groups, std::size_t offset)
+{
+  groups.Bind(GL_DISPATCH_INDIRECT_BUFFER);
+  glDispatchComputeIndirect(static_cast<GLintptr>(offset));
+  glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, 0);
+  ShowWhatWasWritten();
 }
 
 int Groups(int items, int size)

@@ -45,7 +45,7 @@ private:
   unsigned int Id = 0;
 };
 
-/// Triangles whose vertices the shader reads from storage by itself.
+/// Primitives whose vertices the shader reads from storage by itself.
 class PulledVertices
 {
 public:
@@ -53,8 +53,10 @@ public:
   PulledVertices(const PulledVertices&) = delete;
   PulledVertices& operator=(const PulledVertices&) = delete;
 
-  /// Commands of four numbers each: vertices, instances, first vertex, first instance.
-  void DrawIndirect(const Buffer& commands, std::size_t offset, int count, std::size_t stride);
+  /// Points are as large as the shader says. Commands of four numbers each: vertices, instances,
+  /// first vertex, first instance.
+  void DrawIndirect(
+    Primitive primitive, const Buffer& commands, std::size_t offset, int count, std::size_t stride);
   void Release();
   void Abandon() { this->Id = 0; }
 
@@ -85,8 +87,12 @@ private:
   unsigned int Id = 0;
 };
 
+/// That a point can have, in pixels.
+float LargestPointSize();
 /// Runs the compute program in use, then makes what it wrote visible to all that follows.
 void Dispatch(int groupsX, int groupsY = 1, int groupsZ = 1);
+/// The same; how many groups there are along x, y and z stands in a buffer.
+void DispatchIndirect(const Buffer& groups, std::size_t offset);
 /// A number of work groups of that size that covers so many items.
 int Groups(int items, int size);
 /// Blocks until the GPU has nothing left to do.

@@ -29,6 +29,7 @@ struct AnalysisInput
   std::vector<Rectangle> Unsampled;
   double FilterWorld = 0;  ///< how far a filter looks, in world units,
   double FilterTexels = 0; ///< and on the map, a texel's neighbours aside
+  double Straight = 0;     ///< how long a bent edge is drawn straight, of the map's side
 };
 }
 

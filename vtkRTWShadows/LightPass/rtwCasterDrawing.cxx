@@ -12,6 +12,7 @@
 #include "rtwClusterDraw.h"
 #include "rtwCoverByTiles.h"
 #include "rtwCoverCasters.h"
+#include "rtwCoveredCaster.h"
 #include "rtwCullCasters.h"
 #include "rtwCullTriangles.h"
 #include "rtwFocusMatrices.h"
@@ -48,19 +49,21 @@ constexpr std::size_t PatchClasses = 5;
 // What the shaders keep of a cluster, by the rules of std430.
 constexpr std::size_t WorkBytes = 64 + 16 * PatchClasses + 4 * MostTriangles;
 constexpr std::size_t StraightBytes = 48 * MostTriangles;
-constexpr std::size_t BentBytes = 64 * MostTriangles;
+constexpr std::size_t BentBytes = 128 * MostTriangles;
 constexpr std::size_t CoverBytes = 32;
+// What is set up at a time, so that the memory which that takes is bounded.
+constexpr int MostClusters = 128;
+constexpr std::size_t MostCovers = 3072; // of a cluster
 constexpr std::size_t FinePatches =
   (PatchClasses - 1) * MostTriangles;      // of all classes but the last
 constexpr std::size_t BentDrawOffset = 16; // in a cluster's work
 constexpr std::size_t PatchDrawOffset = 32;
 
-std::string Limits(const CasterBatch& batch)
+std::string Limits()
 {
-  return "#define SET_UP_GROUP " + std::to_string(batch.Group) +
-    "\nconst uint MOST_TRIANGLES = " + std::to_string(MostTriangles) +
-    "u;\nconst uint MOST_COVERS = " + std::to_string(batch.Covers) +
-    "u;\nconst uint MOST_CLUSTERS = " + std::to_string(batch.Clusters) +
+  return "#define SET_UP_GROUP 32\nconst uint MOST_TRIANGLES = " + std::to_string(MostTriangles) +
+    "u;\nconst uint MOST_COVERS = " + std::to_string(MostCovers) +
+    "u;\nconst uint MOST_CLUSTERS = " + std::to_string(MostClusters) +
     "u;\nconst uint PATCH_CLASSES = " + std::to_string(PatchClasses) +
     "u;\nconst int PATCH_SIDE = " + std::to_string(1 << (PatchClasses - 1)) + ";\n";
 }
@@ -91,14 +94,12 @@ bool CasterDrawing::Build(const WarpShape& warp, TableAccess access)
     {
       program->Release();
     }
+    this->Tiles.Release();
     this->Warp = warp.Name;
     this->Access = access;
   }
-  // A cluster's few large triangles may need thousands of tiles, and one invocation each to find
-  // them.
-  this->Batch =
-    warp.Separable ? CasterBatch{ 128, 3072, 32 } : CasterBatch{ 32, 12288, int(MostTriangles) };
-  const std::string limits = Limits(this->Batch);
+  this->InTiles = !warp.Separable;
+  const std::string limits = Limits();
   const char* const stored = WarpTable::DefinitionOf(access);
   const char* const cover = warp.Separable ? rtwCoverCasters : rtwCoverByTiles;
   return this->Focusing.Build(
@@ -115,10 +116,11 @@ bool CasterDrawing::Build(const WarpShape& warp, TableAccess access)
         rtwTessellateCasters, rtwSetUpCasters } } }) &&
     this->Straight.Build({ { GL_VERTEX_SHADER, { rtwCasterRecords, rtwStraightCasterVS } },
       { GL_FRAGMENT_SHADER, { rtwCasterGradient, rtwStraightCasterFS } } }) &&
-    this->Bent.Build({ { GL_VERTEX_SHADER, { rtwCasterRecords, rtwBentCasterVS } },
-      { GL_FRAGMENT_SHADER,
-        { stored, rtwWarpFocus, warp.Function, rtwCasterGradient, rtwCasterPlane,
-          rtwBentCasterFS } } }) &&
+    this->Bent.Build(
+      { { GL_VERTEX_SHADER, { rtwCasterRecords, rtwCoveredCaster, rtwBentCasterVS } },
+        { GL_FRAGMENT_SHADER,
+          { stored, rtwWarpFocus, warp.Function, rtwCasterGradient, rtwCasterPlane,
+            rtwBentCasterFS } } }) &&
     this->Patches.Build({ { GL_VERTEX_SHADER,
                             { stored, rtwWarpFocus, warp.Function, limits.c_str(), rtwPatchClasses,
                               rtwCasterRecords, rtwTessellatedCasterVS } },
@@ -127,20 +129,22 @@ bool CasterDrawing::Build(const WarpShape& warp, TableAccess access)
           rtwTessellatedCasterFS } } }) &&
     this->Thin.Build(
       { { GL_VERTEX_SHADER, { stored, rtwWarpFocus, warp.Function, rtwThinCasterVS } },
-        { GL_FRAGMENT_SHADER, { rtwThinCasterFS } } });
+        { GL_FRAGMENT_SHADER, { rtwThinCasterFS } } }) &&
+    (!this->InTiles || this->Tiles.Build(warp, access, limits));
 }
 
 std::string CasterDrawing::GetLog() const
 {
   return this->Focusing.GetLog() + this->Culling.GetLog() + this->CullingTriangles.GetLog() +
     this->SettingUp.GetLog() + this->Straight.GetLog() + this->Bent.GetLog() +
-    this->Patches.GetLog() + this->Thin.GetLog();
+    this->Patches.GetLog() + this->Thin.GetLog() + this->Tiles.GetLog();
 }
 
 std::size_t CasterDrawing::GetMemory() const
 {
   return this->LightMatrices.GetSize() + this->Matrices.GetSize() + this->Work.GetSize() +
-    this->StraightCasters.GetSize() + this->BentCasters.GetSize() + this->Covers.GetSize();
+    this->StraightCasters.GetSize() + this->BentCasters.GetSize() + this->Covers.GetSize() +
+    this->Tiles.GetMemory();
 }
 
 void CasterDrawing::StartLayer(int layer)
@@ -203,9 +207,11 @@ void CasterDrawing::SetUp(const Layer& layer, int clusters)
   this->BentCasters.Reserve(BentBytes * clusters);
   // Patches lie behind the covers.
   const bool tessellates = layer.Options.Bends == Bending::Tessellated;
-  const std::size_t most = this->Batch.Clusters;
+  const std::size_t most = MostClusters * MostCovers;
   this->Covers.Reserve(CoverBytes *
-    (tessellates ? most * (2 * this->Batch.Covers + FinePatches) : this->Batch.Covers * clusters));
+    (tessellates        ? 2 * most + MostClusters * FinePatches
+        : this->InTiles ? most
+                        : MostCovers * clusters));
   layer.Store.GetPoints().BindStorage(0);
   layer.Store.GetIndices().BindStorage(1);
   this->Matrices.BindStorage(2);
@@ -218,23 +224,33 @@ void CasterDrawing::SetUp(const Layer& layer, int clusters)
     this->Prepare(*program, layer);
     Dispatch(clusters);
   }
+  if (this->InTiles)
+  {
+    this->Tiles.Find(
+      clusters, most, layer.Table, [&](const Program& program) { this->Prepare(program, layer); });
+  }
 }
 
 void CasterDrawing::DrawTriangles(const Layer& layer, int clusters)
 {
   this->Prepare(this->Bent, layer);
-  this->Pulled.DrawIndirect(this->Work, BentDrawOffset, clusters, WorkBytes);
+  this->Pulled.DrawIndirect(Primitive::Triangles, this->Work, BentDrawOffset, clusters, WorkBytes);
+  if (this->InTiles)
+  {
+    this->Tiles.DrawPoints([&](const Program& program) { this->Prepare(program, layer); });
+  }
   if (layer.Options.Bends == Bending::Tessellated)
   {
     this->Prepare(this->Patches, layer);
     for (std::size_t k = 0; k < PatchClasses; ++k)
     {
       this->Patches.Set("rtwPatchClass", static_cast<int>(k));
-      this->Pulled.DrawIndirect(this->Work, PatchDrawOffset + 16 * k, clusters, WorkBytes);
+      this->Pulled.DrawIndirect(
+        Primitive::Triangles, this->Work, PatchDrawOffset + 16 * k, clusters, WorkBytes);
     }
   }
   this->Straight.Use();
-  this->Pulled.DrawIndirect(this->Work, 0, clusters, WorkBytes);
+  this->Pulled.DrawIndirect(Primitive::Triangles, this->Work, 0, clusters, WorkBytes);
 }
 
 void CasterDrawing::DrawThin(const Layer& layer)
@@ -263,9 +279,9 @@ void CasterDrawing::Draw(const GeometryStore& store, const WarpTable& table,
   }
   const Layer layer{ store, table, frame, index, options };
   this->Focus(layer);
-  for (int first = 0; first < store.GetNumberOfDraws(); first += this->Batch.Clusters)
+  for (int first = 0; first < store.GetNumberOfDraws(); first += MostClusters)
   {
-    const int end = std::min(first + this->Batch.Clusters, store.GetNumberOfDraws());
+    const int end = std::min(first + MostClusters, store.GetNumberOfDraws());
     this->Cull(layer, first, end);
     this->SetUp(layer, end - first);
     this->DrawTriangles(layer, end - first);
@@ -293,6 +309,7 @@ void CasterDrawing::Release()
   {
     buffer->Release();
   }
+  this->Tiles.Release();
   this->Array.Release();
   this->Pulled.Release();
 }
@@ -307,6 +324,7 @@ void CasterDrawing::Abandon()
   {
     buffer->Abandon();
   }
+  this->Tiles.Abandon();
   this->Array.Abandon();
   this->Pulled.Abandon();
 }

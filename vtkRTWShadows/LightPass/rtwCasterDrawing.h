@@ -8,6 +8,7 @@
 #include "rtwDrawing.h"
 #include "rtwLightFrame.h"
 #include "rtwProgram.h"
+#include "rtwTileCovers.h"
 #include "rtwWarpStage.h"
 #include "rtwWarpTable.h"
 
@@ -33,20 +34,20 @@ struct CasterOptions
   bool Cull = true; ///< leave out what cannot shadow anything in focus
   Bending Bends = Bending::Automatic;
   double EdgeLength = 0.025; ///< of tessellated triangles at most, of the map's side
+  /// Of bent edges, that far at most are they drawn straight; where that is as they are in the
+  /// mesh, of some that are long.
+  double StraightLength() const
+  {
+    return this->Bends == Bending::Linear   ? 0.25
+      : this->Bends == Bending::Tessellated ? this->EdgeLength
+                                            : 0;
+  }
 };
 
 struct CasterCounts
 {
   unsigned int Drawn = 0; ///< clusters of triangles
   unsigned int Culled = 0;
-};
-
-/// What is set up at a time, so that the memory which that takes is bounded.
-struct CasterBatch
-{
-  int Clusters;
-  std::size_t Covers; ///< a cluster
-  int Group;          ///< invocations for a cluster
 };
 
 class CasterDrawing
@@ -85,12 +86,13 @@ private:
   void DrawTriangles(const Layer& layer, int clusters);
   void DrawThin(const Layer& layer);
 
-  CasterBatch Batch{ 128, 3072, 32 };
   std::string Warp;
+  bool InTiles = false; ///< whether bent triangles are covered by tiles of the map
   TableAccess Access = TableAccess::Storage;
   Program Focusing, Culling, CullingTriangles, SettingUp, Straight, Bent, Patches, Thin;
   Buffer LightMatrices, Matrices, Work, StraightCasters, BentCasters, Covers, Counts;
   PulledVertices Pulled;
+  TileCovers Tiles;
   MeshArray Array;
 };
 }

@@ -14,8 +14,9 @@ struct CasterWork
   uint slices;  // of covers
   uint numberOfCasters;
   uint patches; // of tessellated triangles
-  uint casters[MOST_TRIANGLES]; // triangles that hide the centre of a texel
+  uint casters[MOST_TRIANGLES]; // triangles that hide the centre of a texel; IS_COVERED is added to those whose tiles are to be found
 };
+const uint IS_COVERED = 65536u;
 
 layout(std430, binding = 3) buffer Work
 {

@@ -93,7 +93,7 @@ void rtwAddSlices(Caster t, uint caster, ivec4 texels, int slices, float depth)
 }
 
 // u: its corners on the map.
-void rtwCover(Caster t, CasterPlane p, uint caster, vec2 u[3], vec2 bend)
+void rtwCover(Caster t, uint place, uint caster, vec2 u[3], vec2 bend)
 {
   float depth = max(t.depths.x, 0.0);
   float texel = 1.0 / float(rtwWarpSize.y);

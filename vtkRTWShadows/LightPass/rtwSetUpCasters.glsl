@@ -51,17 +51,19 @@ void rtwDrawStraight(Caster t, vec2 slope, vec2 u[3])
   rtwStraight[i].slope = slope;
 }
 
-void rtwDrawBent(Caster t, CasterPlane p, uint caster, vec2 u[3], vec2 bend)
+void rtwDrawBent(Caster t, CasterPlane p, uint place, uint caster, vec2 u[3], vec2 bend)
 {
   rtwBent[caster].edges[0] = vec4(p.edges[0], p.slope.x);
   rtwBent[caster].edges[1] = vec4(p.edges[1], p.slope.y);
   rtwBent[caster].edges[2] = vec4(p.edges[2], t.depths.x);
   rtwBent[caster].anchor = vec4(p.anchor, t.depths.y);
-  rtwCover(t, p, caster, u, bend);
+  rtwCover(t, place, caster, u, bend);
 }
 
-void rtwSetUp(uint triangle)
+// By its place in the list.
+void rtwSetUp(uint place)
 {
+  uint triangle = rtwWork[gl_WorkGroupID.x].casters[place];
   Caster t;
   CasterPlane p;
   if (!rtwLoadCaster(triangle, t) || !rtwSetPlane(t, p))
@@ -88,7 +90,7 @@ void rtwSetUp(uint triangle)
   }
   else
   {
-    rtwDrawBent(t, p, caster, u, bend);
+    rtwDrawBent(t, p, place, caster, u, bend);
   }
 }
 
@@ -96,6 +98,6 @@ void main()
 {
   for (uint i = gl_LocalInvocationID.x; i < rtwWork[gl_WorkGroupID.x].numberOfCasters; i += gl_WorkGroupSize.x)
   {
-    rtwSetUp(rtwWork[gl_WorkGroupID.x].casters[i]);
+    rtwSetUp(i);
   }
 }

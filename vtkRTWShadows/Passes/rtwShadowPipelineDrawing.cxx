@@ -200,8 +200,9 @@ void ShadowPipeline::RunWarp(
     this->Warp->Run(this->Frames,
       { this->Sampler, this->GetStride(options), this->SceneSize,
         hasImages ? &this->Images.GetImages() : nullptr, lastMask, this->Masked,
-        options.Masked && !this->Resampled, this->UnsampledReceiversOfAll(scene, lookup.FilterWorld),
-        lookup.FilterWorld, lookup.FilterTexels },
+        options.Masked && !this->Resampled,
+        this->UnsampledReceiversOfAll(scene, lookup.FilterWorld), lookup.FilterWorld,
+        lookup.FilterTexels, options.Casters.StraightLength() },
       this->Table);
   }
 }

@@ -3,52 +3,72 @@
 layout(local_size_x = 32) in;
 const int MOST_CELLS = 2048;
 
-layout(std430, binding = 1) writeonly buffer Grid
+layout(std430, binding = 1) buffer Grid
 {
   vec2 rtwGrid[];
 };
 uniform int rtwLayer;
 shared float rtwColumn[MOST_CELLS + 1];
 
-float rtwAtBorder(float line, int border)
+// As rtwGridEntry has it, along s.
+vec2 rtwStoredEntry(float line, int cell)
 {
-  return border < rtwWarpSize.x ? rtwGridEntry(rtwLayer, 0, line, border).x : 1.0;
+  float first = min(floor(line), float(rtwWarpSize.x - 2));
+  int place = rtwGridPlace(rtwLayer, 0, int(first), cell);
+  return mix(rtwGrid[place], rtwGrid[place + rtwWarpSize.x], line - first);
 }
 
-// Among how many cells the next one is looked for first, before and behind the last one.
-const int NEAR_CELLS = 2;
-
-// The cell of a function that goes from 0 to 1, in which it reaches the target.
-int rtwCellInColumn(float target, int last)
+// A search for a cell: from a guess in steps that double until it lies between two cells, then in halves.
+struct CellSearch
 {
-  int low = max(last - NEAR_CELLS, 0);
-  int high = min(last + NEAR_CELLS + 1, rtwWarpSize.x);
-  low = rtwColumn[low] <= target ? low : 0;
-  high = rtwColumn[high] > target ? high : rtwWarpSize.x;
-  while (high - low > 1)
-  {
-    int middle = (low + high) / 2;
-    bool before = rtwColumn[middle] <= target;
-    low = before ? middle : low;
-    high = before ? high : middle;
-  }
-  return low;
+  int cell;
+  int low;  // the first that it may be, and the one behind the last
+  int high;
+  int step;
+};
+
+CellSearch rtwSearchFrom(int guess)
+{
+  return CellSearch(guess, 0, rtwWarpSize.x, 1);
 }
 
-int rtwCellInRow(float line, float target, int last)
+// False where the cell with those ends is found.
+bool rtwSearchOn(inout CellSearch search, vec2 ends, float target)
 {
-  int low = max(last - NEAR_CELLS, 0);
-  int high = min(last + NEAR_CELLS + 1, rtwWarpSize.x);
-  low = rtwAtBorder(line, low) <= target ? low : 0;
-  high = rtwAtBorder(line, high) > target ? high : rtwWarpSize.x;
-  while (high - low > 1)
+  bool before = target < ends.x;
+  bool behind = target >= ends.y;
+  search.high = before ? search.cell : search.high;
+  search.low = behind ? search.cell + 1 : search.low;
+  bool between = search.low > 0 && search.high < rtwWarpSize.x;
+  int next = between ? (search.low + search.high) / 2 : search.cell + (before ? -search.step : search.step);
+  search.step *= 2;
+  search.cell = before || behind ? clamp(next, search.low, max(search.high - 1, search.low)) : search.cell;
+  return (before || behind) && search.low < search.high;
+}
+
+// The cell of the column's function, in which it reaches the target.
+int rtwCellInColumn(float target, int guess)
+{
+  CellSearch search = rtwSearchFrom(guess);
+  bool isToDo = true;
+  while (isToDo)
   {
-    int middle = (low + high) / 2;
-    bool before = rtwAtBorder(line, middle) <= target;
-    low = before ? middle : low;
-    high = before ? high : middle;
+    isToDo = rtwSearchOn(search, vec2(rtwColumn[search.cell], rtwColumn[search.cell + 1]), target);
   }
-  return low;
+  return search.cell;
+}
+
+// Of a row's, and its ends.
+int rtwCellInRow(float line, float target, int guess, out vec2 ends)
+{
+  CellSearch search = rtwSearchFrom(guess);
+  bool isToDo = true;
+  while (isToDo)
+  {
+    ends = rtwStoredEntry(line, search.cell);
+    isToDo = rtwSearchOn(search, ends, target);
+  }
+  return search.cell;
 }
 
 float rtwPlaceInCell(int cell, vec2 ends, float target)
@@ -82,8 +102,9 @@ void main()
     cell.y = rtwCellInColumn(target, cell.y);
     float t = rtwPlaceInCell(cell.y, vec2(rtwColumn[cell.y], rtwColumn[cell.y + 1]), target);
     float before = rtwLineBefore(t);
-    cell.x = rtwCellInRow(before, s, cell.x);
+    vec2 ends;
+    cell.x = rtwCellInRow(before, s, cell.x, ends);
     rtwGrid[rtwCentrePlace(rtwLayer, ivec2(column, row))] =
-      vec2(rtwPlaceInCell(cell.x, rtwGridEntry(rtwLayer, 0, before, cell.x), s), t);
+      vec2(rtwPlaceInCell(cell.x, ends, s), t);
   }
 }

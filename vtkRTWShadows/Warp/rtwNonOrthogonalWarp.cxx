@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <numeric>
 #include <utility>
 
 namespace rtw
@@ -50,6 +52,116 @@ void SmoothAcross(std::vector<std::vector<double>>& lines, double sigma)
     }
   }
 }
+
+using Grid = std::vector<std::vector<double>>;
+
+Grid MakeCoarse(const Grid& lines)
+{
+  constexpr int side = SmoothingChoice::Cells;
+  const int count = static_cast<int>(lines.size());
+  Grid coarse(side, std::vector<double>(side));
+  for (int y = 0; y < side; ++y)
+  {
+    for (int x = 0; x < side; ++x)
+    {
+      for (int line = y * count / side; line < (y + 1) * count / side; ++line)
+      {
+        for (int cell = x * count / side; cell < (x + 1) * count / side; ++cell)
+        {
+          coarse[y][x] += lines[line][cell];
+        }
+      }
+    }
+  }
+  return coarse;
+}
+
+/// Functions at the borders of cells, line by line.
+Grid CoarseFunctions(const Grid& asked, double smoothing, bool root, double floor)
+{
+  constexpr int side = SmoothingChoice::Cells;
+  std::vector<double> weights;
+  for (int line = 0; line < side; ++line)
+  {
+    const double away = line / (smoothing * side);
+    weights.push_back(std::exp(-0.5 * away * away));
+  }
+  Grid functions;
+  for (int line = 0; line < side; ++line)
+  {
+    std::vector<double> values(side);
+    for (int other = 0; other < side; ++other)
+    {
+      for (int cell = 0; cell < side; ++cell)
+      {
+        values[cell] += weights[std::abs(other - line)] * asked[other][cell];
+      }
+    }
+    for (double& value : values)
+    {
+      value = root ? std::sqrt(value) : value;
+    }
+    const double all = std::accumulate(values.begin(), values.end(), 0.0);
+    std::vector<double> function{ 0 };
+    for (const double value : values)
+    {
+      function.push_back(function.back() + (all > 0 ? std::max(value, floor * all / side) : 1));
+    }
+    for (double& value : function)
+    {
+      value /= function.back();
+    }
+    functions.push_back(function);
+  }
+  return functions;
+}
+
+double CostOf(const Grid& asked, const Grid& functions, double bendCost)
+{
+  constexpr int side = SmoothingChoice::Cells;
+  double cost = 0, all = 0;
+  for (int line = 0; line < side; ++line)
+  {
+    const Grid::value_type& before = functions[std::max(line - 1, 0)];
+    const Grid::value_type& here = functions[line];
+    const Grid::value_type& after = functions[std::min(line + 1, side - 1)];
+    const bool inner = line > 0 && line < side - 1;
+    for (int cell = 0; cell < side; ++cell)
+    {
+      const auto middle = [cell](
+                            const Grid::value_type& f) { return 0.5 * (f[cell] + f[cell + 1]); };
+      const double down = middle(here) - middle(before), up = middle(after) - middle(here);
+      const double shear =
+        SmoothingChoice::Shear * (std::abs(down) + std::abs(up)) * side / (inner ? 2 : 1);
+      const double bend = inner ? std::abs(up - down) * side * side : 0;
+      const double density = (here[cell + 1] - here[cell]) * side;
+      cost += asked[line][cell] / density * (std::sqrt(1 + shear * shear) + bendCost * bend);
+      all += asked[line][cell];
+    }
+  }
+  return all > 0 ? cost / all : 1;
+}
+}
+
+double WarpingGrid::ChooseSmoothing(
+  const std::vector<std::vector<double>>& lines, bool root, double floor, double bendCost)
+{
+  const Grid asked = MakeCoarse(lines);
+  std::vector<double> costs;
+  for (int k = 0; k < SmoothingChoice::Candidates; ++k)
+  {
+    const double smoothing = SmoothingChoice::Least * std::exp2(0.5 * k);
+    costs.push_back(CostOf(asked, CoarseFunctions(asked, smoothing, root, floor), bendCost));
+  }
+  const double least = *std::min_element(costs.begin(), costs.end());
+  double sum = 0, weights = 0;
+  for (int k = 0; k < SmoothingChoice::Candidates; ++k)
+  {
+    const double weight = std::exp(-(costs[k] / least - 1) / SmoothingChoice::Range);
+    sum += weight * 0.5 * k;
+    weights += weight;
+  }
+  return SmoothingChoice::Least * std::exp2(sum / weights);
 }
 
 WarpingGrid WarpingGrid::FromImportance(

@@ -12,6 +12,26 @@
 
 namespace rtw
 {
+/// By what the strength of smoothing is chosen, on a grid of so many cells a side.
+struct SmoothingChoice
+{
+  static constexpr int Cells = 64;
+  static constexpr int Candidates = 11;   ///< each times √2 the one before
+  static constexpr double Least = 0.0125; ///< σ as a share of the focus
+  /// How far a texel's side is sheared, as a share of its length, where a function rises as fast
+  /// across, from line to line, as along on average.
+  static constexpr double Shear = 0.5;
+  /// By how much more error there is where what is drawn straight strays by a texel.
+  static constexpr double StrayCost = 1;
+  static constexpr double Range = 0.003; ///< of cost, in which candidates count together
+  /// Of a function's second derivative across, from how long what is drawn straight is and how many
+  /// texels there are.
+  static double BendCost(double straight, int resolution)
+  {
+    return StrayCost * straight * straight / 8 * resolution;
+  }
+};
+
 /// A function of one coordinate, `along`, that is a WarpingFunction on each of so many lines and
 /// changes linearly from the middle of one to that of the next in the other, `across`. Outside [0,
 /// 1] it is no warp.
@@ -23,6 +43,10 @@ public:
   /// it is demand; then each line by WarpingFunction::FromImportance().
   static WarpingGrid FromImportance(
     std::vector<std::vector<double>> lines, double across, bool root, double sigma, double floor);
+  /// How many lines FromImportance() had better average over, of all: so that least error is
+  /// predicted.
+  static double ChooseSmoothing(
+    const std::vector<std::vector<double>>& lines, bool root, double floor, double bendCost);
   static WarpingGrid FromFunctions(std::vector<WarpingFunction> lines);
 
   double Forward(double along, double across) const;

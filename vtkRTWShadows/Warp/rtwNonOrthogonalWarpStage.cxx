@@ -5,6 +5,7 @@
 #include "rtwBackwardSample.h"
 #include "rtwBendNonOrthogonal.h"
 #include "rtwBuildGrid.h"
+#include "rtwCoarseGrid.h"
 #include "rtwCollectGrid.h"
 #include "rtwDrawing.h"
 #include "rtwGridCentres.h"
@@ -14,12 +15,16 @@
 #include "rtwImportanceStage.h"
 #include "rtwLightUniforms.h"
 #include "rtwLitSample.h"
+#include "rtwNonOrthogonalWarp.h"
 #include "rtwOpenGL.h"
 #include "rtwRectilinearWarp.h"
 #include "rtwRunningSum.h"
 #include "rtwSamplePlace.h"
 #include "rtwSlopeNonOrthogonal.h"
 #include "rtwSmoothGrid.h"
+#include "rtwSmoothingCandidates.h"
+#include "rtwSmoothingCost.h"
+#include "rtwSmoothingRadius.h"
 #include "rtwUserFunction.h"
 #include "rtwViewSampleAccess.h"
 #include "rtwViewSampler.h"
@@ -65,7 +70,9 @@ bool NonOrthogonalWarpStage::Build()
 {
   return BuildCollecting(this->Counting, SampleCount) &&
     BuildCollecting(this->CollectingDemand, SqrtDemand) &&
-    this->Smoothing.Build({ { GL_COMPUTE_SHADER, { rtwSmoothGrid } } }) &&
+    this->SmoothingFirst.Build(
+      { { GL_COMPUTE_SHADER, { "#define FIRST_PASS\n", rtwSmoothGrid } } }) &&
+    this->Smoothing.Build({ { GL_COMPUTE_SHADER, { rtwSmoothGrid } } }) && this->BuildChoosing() &&
     this->Building.Build({ { GL_COMPUTE_SHADER,
       { "#define GROUP 32\n", rtwWarpFocus, rtwWarpNonOrthogonal, rtwRunningSum,
         rtwBuildGrid } } }) &&
@@ -77,11 +84,30 @@ bool NonOrthogonalWarpStage::Build()
       { rtwWarpFocus, rtwWarpNonOrthogonal, rtwBendNonOrthogonal, rtwGridTiles } } });
 }
 
+bool NonOrthogonalWarpStage::BuildChoosing()
+{
+  const auto define = [](const char* name, const std::string& value) {
+    return "#define " + std::string(name) + " " + value + "\n";
+  };
+  const std::string definitions = define("COARSE_CELLS", std::to_string(SmoothingChoice::Cells)) +
+    define("SMOOTHING_CANDIDATES", std::to_string(SmoothingChoice::Candidates)) +
+    define("LEAST_SMOOTHING", std::to_string(SmoothingChoice::Least)) +
+    define("SHEAR", std::to_string(SmoothingChoice::Shear)) +
+    define("CHEAPEST_RANGE", std::to_string(SmoothingChoice::Range));
+  const auto build = [&](Program& program, const char* code) {
+    return program.Build(
+      { { GL_COMPUTE_SHADER, { definitions.c_str(), rtwSmoothingCandidates, code } } });
+  };
+  return build(this->Coarsening, rtwCoarseGrid) && build(this->Costing, rtwSmoothingCost) &&
+    build(this->Choosing, rtwSmoothingRadius);
+}
+
 std::string NonOrthogonalWarpStage::GetLog() const
 {
-  return this->Counting.GetLog() + this->CollectingDemand.GetLog() + this->Smoothing.GetLog() +
-    this->Building.GetLog() + this->Inverting.GetLog() + this->Levelling.GetLog() +
-    this->Tiling.GetLog();
+  return this->Coarsening.GetLog() + this->Costing.GetLog() + this->Choosing.GetLog() +
+    this->Counting.GetLog() + this->CollectingDemand.GetLog() + this->SmoothingFirst.GetLog() +
+    this->Smoothing.GetLog() + this->Building.GetLog() + this->Inverting.GetLog() +
+    this->Levelling.GetLog() + this->Tiling.GetLog();
 }
 
 void NonOrthogonalWarpStage::Run(
@@ -94,6 +120,9 @@ void NonOrthogonalWarpStage::Run(
   this->Layers = static_cast<int>(frames.size());
   this->Report.Reserve(frames.size() * 2 * sizeof(float));
   this->Report.Clear();
+  this->Coarse.Reserve(SmoothingChoice::Cells * SmoothingChoice::Cells * sizeof(float));
+  this->Costs.Reserve(SmoothingChoice::Candidates * sizeof(float));
+  this->Radius.Reserve(2 * sizeof(float));
   this->Profiles.Reserve(frames.size() * 4 * cells * sizeof(float));
   this->Cells = table.GetCells();
   for (std::size_t i = 0; i < frames.size(); ++i)
@@ -102,6 +131,7 @@ void NonOrthogonalWarpStage::Run(
     for (int axis = 0; axis < 2; ++axis)
     {
       this->Collect(frames[i], layer, axis, input, table);
+      this->ChooseRadius(table, input.Straight);
       this->Smooth(table);
       this->BuildFunctions(layer, axis, table);
     }
@@ -132,20 +162,49 @@ float NonOrthogonalWarpStage::Unit() const
   return this->Used.Demand ? 1.f : 1.f / CountUnit;
 }
 
+// Of the windows that lines are averaged in.
+void NonOrthogonalWarpStage::ChooseRadius(const WarpTable& table, double straight)
+{
+  if (!this->Used.Automatic)
+  {
+    const double sigma = this->Used.Smoothing * table.GetCells();
+    // Windows of 2 r + 1 lines have a variance of about ((2 r + 1)² - 1) / 12 each.
+    const auto radius = static_cast<float>(0.5 * (std::sqrt(1 + 12 * sigma * sigma / Passes) - 1));
+    this->Radius.Write(0, &radius, sizeof(radius));
+    return;
+  }
+  this->Coarsening.Use();
+  table.Bind(this->Coarsening);
+  this->Collected.BindStorage(0);
+  this->Coarse.BindStorage(1);
+  this->Coarsening.Set("rtwUnit", this->Unit());
+  Dispatch(SmoothingChoice::Cells);
+  this->Costing.Use();
+  this->Costs.BindStorage(2);
+  this->Costing.Set("rtwIsUnderRoot", this->Used.Demand ? 1 : 0);
+  this->Costing.Set("rtwFloor", static_cast<float>(this->Used.Floor));
+  this->Costing.Set(
+    "rtwBendCost", static_cast<float>(SmoothingChoice::BendCost(straight, table.GetResolution())));
+  Dispatch(SmoothingChoice::Candidates);
+  this->Choosing.Use();
+  table.Bind(this->Choosing);
+  this->Radius.BindStorage(3);
+  this->Choosing.Set("rtwPasses", Passes);
+  Dispatch(1);
+}
+
 void NonOrthogonalWarpStage::Smooth(const WarpTable& table)
 {
-  const double sigma = this->Used.Smoothing * table.GetCells();
-  this->Smoothing.Use();
-  table.Bind(this->Smoothing);
   this->Collected.BindStorage(0);
   this->Smoothed.BindStorage(1);
-  this->Smoothing.Set("rtwUnit", this->Unit());
-  // Windows of 2 r + 1 lines have a variance of about ((2 r + 1)² - 1) / 12 each.
-  this->Smoothing.Set(
-    "rtwRadius", static_cast<float>(0.5 * (std::sqrt(1 + 12 * sigma * sigma / Passes) - 1)));
+  this->Radius.BindStorage(2);
   for (int pass = 0; pass < Passes; ++pass)
   {
-    this->Smoothing.Set("rtwPass", pass);
+    const Program& program = pass == 0 ? this->SmoothingFirst : this->Smoothing;
+    program.Use();
+    table.Bind(program);
+    program.Set("rtwUnit", this->Unit());
+    program.Set("rtwPass", pass);
     Dispatch(Groups(table.GetCells(), 32));
   }
 }
@@ -232,13 +291,17 @@ std::vector<float> NonOrthogonalWarpStage::ReadImportance(int layer) const
 
 void NonOrthogonalWarpStage::Release()
 {
-  for (Program* program : { &this->Counting, &this->CollectingDemand, &this->Smoothing,
-         &this->Building, &this->Inverting, &this->Levelling, &this->Tiling })
+  for (Program* program : { &this->Counting, &this->CollectingDemand, &this->SmoothingFirst,
+         &this->Smoothing, &this->Coarsening, &this->Costing, &this->Choosing, &this->Building,
+         &this->Inverting, &this->Levelling, &this->Tiling })
   {
     program->Release();
   }
   this->Collected.Release();
   this->Smoothed.Release();
+  this->Coarse.Release();
+  this->Costs.Release();
+  this->Radius.Release();
   this->Report.Release();
   this->Profiles.Release();
   this->Layers = 0;
@@ -246,13 +309,17 @@ void NonOrthogonalWarpStage::Release()
 
 void NonOrthogonalWarpStage::Abandon()
 {
-  for (Program* program : { &this->Counting, &this->CollectingDemand, &this->Smoothing,
-         &this->Building, &this->Inverting, &this->Levelling, &this->Tiling })
+  for (Program* program : { &this->Counting, &this->CollectingDemand, &this->SmoothingFirst,
+         &this->Smoothing, &this->Coarsening, &this->Costing, &this->Choosing, &this->Building,
+         &this->Inverting, &this->Levelling, &this->Tiling })
   {
     program->Abandon();
   }
   this->Collected.Abandon();
   this->Smoothed.Abandon();
+  this->Coarse.Abandon();
+  this->Costs.Abandon();
+  this->Radius.Abandon();
   this->Report.Abandon();
   this->Profiles.Abandon();
   this->Layers = 0;

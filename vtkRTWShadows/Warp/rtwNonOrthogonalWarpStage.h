@@ -16,7 +16,9 @@ struct NonOrthogonalSettings
 {
   bool Demand = true;      ///< its square root; else samples are counted
   int Cells = 512;         ///< along both axes
-  double Smoothing = 0.05; ///< of what neighbouring lines ask for: σ, as a share of the focus
+  bool Automatic = true;   ///< whether smoothing is chosen by what it costs
+  double Smoothing =
+    0.05; ///< otherwise, of what neighbouring lines ask for: σ, as a share of the focus
   double Sigma = 2;        ///< of the blur along a line, in cells
   double Floor = 0.01;     ///< least importance, as a share of a line's mean
 };
@@ -42,6 +44,8 @@ private:
   void Collect(const LightFrame& frame, int layer, int axis, const AnalysisInput& input,
     const WarpTable& table);
   float Unit() const; ///< of what is collected
+  bool BuildChoosing();
+  void ChooseRadius(const WarpTable& table, double straight);
   void Smooth(const WarpTable& table);
   void BuildFunctions(int layer, int axis, const WarpTable& table);
   void Invert(int layer, const WarpTable& table);
@@ -50,8 +54,10 @@ private:
 
   std::function<NonOrthogonalSettings()> Settings;
   NonOrthogonalSettings Used; ///< by the frame at work
-  Program Counting, CollectingDemand, Smoothing, Building, Inverting, Levelling, Tiling;
+  Program Counting, CollectingDemand, SmoothingFirst, Smoothing, Coarsening, Costing, Choosing,
+    Building, Inverting, Levelling, Tiling;
   Buffer Collected, Smoothed;
+  Buffer Coarse, Costs, Radius; ///< the choice of smoothing
   Buffer Profiles; ///< a layer, an axis, a line, a cell: importance as collected and as used
   Buffer Report;   ///< a layer, an axis: the greatest slope
   int Layers = 0;

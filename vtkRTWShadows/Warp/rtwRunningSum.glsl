@@ -20,15 +20,11 @@ float total(int cells)
   }
   rtwPartial[me] = sum;
   barrier();
-  for (int step = GROUP / 2; step > 0; step /= 2)
+  float all = 0.0;
+  for (int i = 0; i < GROUP; ++i)
   {
-    if (me < step)
-    {
-      rtwPartial[me] += rtwPartial[me + step];
-    }
-    barrier();
+    all += rtwPartial[i];
   }
-  float all = rtwPartial[0];
   barrier();
   return all;
 }
@@ -38,14 +34,16 @@ void blur(int cells)
   int radius = int(ceil(3.0 * rtwSigma));
   for (int i = me; i < cells; i += GROUP)
   {
-    float sum = 0.0;
-    float weights = 0.0;
-    for (int j = max(0, i - radius); j <= min(cells - 1, i + radius); ++j)
+    float sum = rtwSums[i];
+    float weights = 1.0;
+    for (int k = 1; k <= radius; ++k)
     {
-      float d = float(j - i) / max(rtwSigma, 1e-3);
+      float d = float(k) / max(rtwSigma, 1e-3);
       float weight = exp(-0.5 * d * d);
-      sum += weight * rtwSums[j];
-      weights += weight;
+      float before = i >= k ? weight : 0.0;
+      float after = i + k < cells ? weight : 0.0;
+      sum += before * rtwSums[max(i - k, 0)] + after * rtwSums[min(i + k, cells - 1)];
+      weights += before + after;
     }
     rtwValues[i] = sum / weights;
   }

@@ -10,10 +10,13 @@ layout(std430, binding = 1) buffer Smoothed
 {
   float rtwSmoothed[]; // two times: a line, a cell
 };
+layout(std430, binding = 2) readonly buffer Radius
+{
+  float rtwRadii[]; // the first, in lines
+};
 uniform ivec2 rtwWarpSize;
 uniform int rtwPass;
 uniform float rtwUnit;
-uniform float rtwRadius; // in lines
 
 int cells = rtwWarpSize.x;
 int cell = int(gl_GlobalInvocationID.x);
@@ -25,29 +28,36 @@ float rtwLine(int line)
     return 0.0;
   }
   int at = line * cells + cell;
-  return rtwPass == 0 ? rtwUnit * (float(rtwCollected[2 * at]) + 4294967296.0 * float(rtwCollected[2 * at + 1]))
-                      : rtwSmoothed[(1 - rtwPass % 2) * cells * cells + at];
+#if defined(FIRST_PASS)
+  return rtwUnit * (float(rtwCollected[2 * at]) + 4294967296.0 * float(rtwCollected[2 * at + 1]));
+#else
+  return rtwSmoothed[(1 - rtwPass % 2) * cells * cells + at];
+#endif
 }
 
-// A window ends in parts of a line, so that its width is continuous.
+// A window ends in parts of a line, so that its width is continuous. Each line is read twice: when it comes and when it goes.
 void main()
 {
   if (cell >= cells)
   {
     return;
   }
-  int whole = int(floor(rtwRadius));
-  float part = rtwRadius - float(whole);
+  float radius = rtwRadii[0];
+  int whole = int(floor(radius));
+  float part = radius - float(whole);
   float sum = 0.0;
   for (int line = 0; line < whole; ++line)
   {
     sum += rtwLine(line);
   }
+  float next = rtwLine(whole);
+  float gone = 0.0;
   for (int line = 0; line < cells; ++line)
   {
-    sum += rtwLine(line + whole);
-    float ends = part * (rtwLine(line + whole + 1) + rtwLine(line - whole - 1));
-    rtwSmoothed[(rtwPass % 2) * cells * cells + line * cells + cell] = max(sum + ends, 0.0) / (2.0 * rtwRadius + 1.0);
-    sum -= rtwLine(line - whole);
+    sum += next;
+    next = rtwLine(line + whole + 1);
+    rtwSmoothed[(rtwPass % 2) * cells * cells + line * cells + cell] = max(sum + part * (next + gone), 0.0) / (2.0 * radius + 1.0);
+    gone = rtwLine(line - whole);
+    sum -= gone;
   }
 }

@@ -50,6 +50,7 @@ std::unique_ptr<rtw::WarpStage> vtkNonOrthogonalShadowMapWarp::MakeStage()
     rtw::NonOrthogonalSettings settings;
     settings.Demand = this->Weights == SQRT_DEMAND;
     settings.Cells = this->ImportanceResolution;
+    settings.Automatic = this->AutomaticSmoothing;
     settings.Smoothing = this->Smoothing;
     return settings;
   });
@@ -60,5 +61,6 @@ void vtkNonOrthogonalShadowMapWarp::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Weights: " << this->Weights << "\n";
   os << indent << "ImportanceResolution: " << this->ImportanceResolution << "\n";
+  os << indent << "AutomaticSmoothing: " << this->AutomaticSmoothing << "\n";
   os << indent << "Smoothing: " << this->Smoothing << "\n";
 }

@@ -52,11 +52,23 @@ public:
 
   ///@{
   /**
-   * How far what neighbouring lines ask for is averaged (Milet et al. 2015, step 5): σ of a
-   * Gaussian, as a share of the focus. More makes lines more alike, in the end those of a
-   * rectilinear warp, and bends triangles less, so that they are drawn faster. Clamped to 0 to 1;
-   * what is not a number is refused with an error. Default: 0.05, which on most scenes has less
-   * error than 0.01 and takes half of its time.
+   * Whether the strength of smoothing is chosen anew for each map, along rows and along columns:
+   * the one for which least error is predicted. Texels that neighbouring functions shear count as
+   * longer, and where the pass's Rasterization draws bent edges straight, so does how far they
+   * stray. (Milet et al. 2015, section 5, leave that open.) Between about 0.01 and 0.4. Default:
+   * on.
+   */
+  vtkSetMacro(AutomaticSmoothing, bool);
+  vtkGetMacro(AutomaticSmoothing, bool);
+  vtkBooleanMacro(AutomaticSmoothing, bool);
+  ///@}
+
+  ///@{
+  /**
+   * How far what neighbouring lines ask for is averaged (Milet et al. 2015, step 5), unless
+   * AutomaticSmoothing is on: σ of a Gaussian, as a share of the focus. More makes lines more
+   * alike, in the end those of a rectilinear warp, and bends triangles less, so that they are drawn
+   * faster. Clamped to 0 to 1; what is not a number is refused with an error. Default: 0.05.
    */
   virtual void SetSmoothing(double share);
   vtkGetMacro(Smoothing, double);
@@ -72,6 +84,7 @@ protected:
 
   int Weights = SQRT_DEMAND;
   int ImportanceResolution = 512;
+  bool AutomaticSmoothing = true;
   double Smoothing = 0.05;
 
 private:

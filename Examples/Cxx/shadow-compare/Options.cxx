@@ -179,6 +179,14 @@ std::vector<rtw::CommandLineOption> Entries(Options& options)
       [&](const std::string& value) {
         settings.Snapping = Choose<bool>("--snapping", value, { { "on", true }, { "off", false } });
       } },
+    { "--smoothing", "S",
+      "of notw: how far neighbouring lines are averaged, a share of the focus, 0 to 1;\n"
+      "default: chosen by what least error is predicted for",
+      [&](const std::string& value) {
+        settings.Smoothing = ReadNumber("--smoothing", value, 0, 1);
+      } },
+    { "--cells", "N", "a side of the grid of notw, 64 to 2048; default 512",
+      [&](const std::string& value) { settings.Cells = ReadWhole("--cells", value, 64, 2048); } },
     { "--stages", "", "print the milliseconds of each stage on the GPU",
       [&](const std::string&) { settings.Stages = true; } },
     { "--out", "DIR", "write pictures, masks and differences there",

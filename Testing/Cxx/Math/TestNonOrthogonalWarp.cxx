@@ -161,4 +161,105 @@ TEST(NonOrthogonalWarp, SpreadsCountedSamplesEvenly)
   EXPECT_GT(*std::min_element(lists.begin(), lists.end()), 0.6 * mean);
   EXPECT_GT(*std::max_element(plain.begin(), plain.end()), 4 * mean);
 }
+
+using rtw::SmoothingChoice;
+
+// Spots here and there, each on some lines only, beside a little everywhere.
+Grid RandomSpots(std::mt19937& random)
+{
+  std::uniform_real_distribution<double> share(0, 1);
+  Grid lines(100, std::vector<double>(100, 1e-3));
+  for (int spot = 0; spot < 6; ++spot)
+  {
+    const double x = 100 * share(random), y = 100 * share(random), wide = 3 + 20 * share(random);
+    for (int line = 0; line < 100; ++line)
+    {
+      for (int cell = 0; cell < 100; ++cell)
+      {
+        const double away = std::hypot(cell - x, line - y) / wide;
+        lines[line][cell] += std::exp(-away * away);
+      }
+    }
+  }
+  return lines;
+}
+
+TEST(ChosenSmoothing, IsMoreTheLessMayStray)
+{
+  std::mt19937 random(3);
+  for (int round = 0; round < 10; ++round)
+  {
+    const Grid lines = RandomSpots(random);
+    double before = 0;
+    for (const double bendCost : { 0.0, 0.003, 0.03, 0.3, 3.0 })
+    {
+      const double smoothing = WarpingGrid::ChooseSmoothing(lines, true, 0.01, bendCost);
+      EXPECT_GE(smoothing, before);
+      before = smoothing;
+    }
+    EXPECT_GT(before, 2 * WarpingGrid::ChooseSmoothing(lines, true, 0.01, 0));
+  }
+}
+
+TEST(ChosenSmoothing, IsTheSameForMoreOfTheSame)
+{
+  std::mt19937 random(4);
+  Grid lines = RandomSpots(random);
+  const double smoothing = WarpingGrid::ChooseSmoothing(lines, true, 0.01, 0);
+  for (std::vector<double>& line : lines)
+  {
+    for (double& value : line)
+    {
+      value *= 1000;
+    }
+  }
+  EXPECT_NEAR(WarpingGrid::ChooseSmoothing(lines, true, 0.01, 0), smoothing, 1e-9);
+}
+
+TEST(ChosenSmoothing, StaysInItsRange)
+{
+  std::mt19937 random(5);
+  const double most = SmoothingChoice::Least * std::exp2(0.5 * (SmoothingChoice::Candidates - 1));
+  std::vector<Grid> all{ Grid(100, std::vector<double>(100)), Grid(64, std::vector<double>(64, 1)),
+    Grid(64, std::vector<double>(64)) };
+  all.back()[10][20] = 1; // a single cell
+  for (int round = 0; round < 10; ++round)
+  {
+    all.push_back(RandomImportance(random));
+  }
+  for (const Grid& lines : all)
+  {
+    for (const double bendCost : { 0.0, 10.0 })
+    {
+      const double smoothing = WarpingGrid::ChooseSmoothing(lines, true, 0.01, bendCost);
+      EXPECT_GE(smoothing, SmoothingChoice::Least * 0.999);
+      EXPECT_LE(smoothing, most * 1.001);
+    }
+  }
+}
+
+// What is asked for changes little from frame to frame, and so does the choice.
+TEST(ChosenSmoothing, IsContinuous)
+{
+  std::mt19937 random(6);
+  for (int round = 0; round < 2; ++round)
+  {
+    const Grid from = RandomSpots(random), to = RandomSpots(random);
+    double before = 0;
+    for (int step = 0; step <= 100; ++step)
+    {
+      Grid between = from;
+      for (std::size_t line = 0; line < from.size(); ++line)
+      {
+        for (std::size_t cell = 0; cell < from.size(); ++cell)
+        {
+          between[line][cell] += step / 100.0 * (to[line][cell] - from[line][cell]);
+        }
+      }
+      const double smoothing = WarpingGrid::ChooseSmoothing(between, true, 0.01, 0);
+      EXPECT_TRUE(step == 0 || std::abs(std::log(smoothing / before)) < 0.3) << step;
+      before = smoothing;
+    }
+  }
+}
 }

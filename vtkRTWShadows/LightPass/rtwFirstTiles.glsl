@@ -1,0 +1,32 @@
+// The tiles, four at most, that hold what a bent triangle can take; the texels themselves, where they are few.
+layout(local_size_x = SET_UP_GROUP) in;
+
+void main()
+{
+  uint cluster = gl_WorkGroupID.x;
+  for (uint i = gl_LocalInvocationID.x; i < rtwWork[cluster].numberOfCasters; i += gl_WorkGroupSize.x)
+  {
+    uint triangle = rtwWork[cluster].casters[i];
+    if (triangle < IS_COVERED)
+    {
+      continue;
+    }
+    Covered c = rtwLoadCovered(MOST_TRIANGLES * cluster + triangle - IS_COVERED);
+    ivec2 size = c.texels.zw - c.texels.xy + 1;
+    if (all(lessThanEqual(size, ivec2(1 << LEAST_TILE_LEVEL))))
+    {
+      rtwAddTileToDo(TAKEN_LIST, atomicAdd(rtwTileCounts[TAKEN_LIST], 1u), c.caster, 0, c.texels.xy);
+    }
+    else
+    {
+      int level = findMSB(max(size.x, size.y) - 1) + 1;
+      ivec2 first = c.texels.xy >> level;
+      ivec2 count = (c.texels.zw >> level) - first + 1;
+      uint place = atomicAdd(rtwTileCounts[0], uint(count.x * count.y));
+      for (int k = 0; k < count.x * count.y; ++k)
+      {
+        rtwAddTileToDo(0u, place + uint(k), c.caster, level, first + ivec2(k % count.x, k / count.x));
+      }
+    }
+  }
+}
