@@ -7,6 +7,7 @@
 #include <vtkImageData.h>
 #include <vtkNonOrthogonalShadowMapWarp.h>
 #include <vtkNoTWShadowMapPass.h>
+#include <vtkPerspectiveShadowMapPass.h>
 #include <vtkRectilinearShadowMapWarp.h>
 #include <vtkRenderer.h>
 #include <vtkRTWShadowMapPass.h>
@@ -56,6 +57,7 @@ static_assert(
     static_cast<int>(Rasterization::AUTOMATIC) == vtkRTWShadowMapPass::AUTOMATIC &&
     static_cast<int>(LightPlaneTurn::MINIMAL_FRUSTUM) ==
       vtkRTWShadowMapPass::TURN_MINIMAL_FRUSTUM &&
+    static_cast<int>(Perspective::UNWARPED) == vtkPerspectiveShadowMapPass::UNWARPED &&
     static_cast<int>(SampleSource::PREVIOUS_FRAME) == vtkRTWShadowMapPass::PREVIOUS_FRAME &&
     static_cast<int>(DebugPicture::LAYERS) == vtkRTWShadowMapPass::LAYERS,
   "one order");
@@ -241,6 +243,28 @@ std::unique_ptr<Technique> MakeNoTWTechnique(const TechniqueSettings& settings)
   if (settings.Cells)
   {
     pass->GetNonOrthogonalWarp()->SetImportanceResolution(*settings.Cells);
+  }
+  return std::make_unique<AdaptiveTechnique>(pass, settings);
+}
+
+std::unique_ptr<Technique> MakePerspectiveTechnique(const TechniqueSettings& settings)
+{
+  vtkNew<vtkPerspectiveShadowMapPass> pass;
+  if (settings.FocusPoint)
+  {
+    pass->SetFocusPoint(*settings.FocusPoint);
+  }
+  if (settings.Parameterization)
+  {
+    pass->SetParameterization(static_cast<int>(*settings.Parameterization));
+  }
+  if (settings.NearDistance)
+  {
+    pass->SetNearDistance(*settings.NearDistance);
+  }
+  if (settings.Eta)
+  {
+    pass->SetEta(*settings.Eta);
   }
   return std::make_unique<AdaptiveTechnique>(pass, settings);
 }

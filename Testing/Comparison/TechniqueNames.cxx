@@ -43,6 +43,14 @@ const Names<DepthTest>& DepthTestNames()
   return names;
 }
 
+const Names<Perspective>& PerspectiveNames()
+{
+  static const Names<Perspective> names = { { "psm", Perspective::PSM },
+    { "lispsm", Perspective::LISPSM }, { "tsm", Perspective::TSM },
+    { "none", Perspective::UNWARPED } };
+  return names;
+}
+
 const Names<Analysis>& AnalysisNames()
 {
   static const Names<Analysis> names = { { "forward", Analysis::FORWARD },
@@ -77,5 +85,25 @@ std::vector<Importance> ReadImportance(const std::string& option, const std::str
     }
   }
   return kinds;
+}
+
+void ReadPerspective(
+  const std::string& option, const std::string& text, TechniqueSettings& settings)
+{
+  const std::optional<double> nearDistance = ToNumber(text);
+  if (nearDistance && *nearDistance > 0)
+  {
+    settings.NearDistance = nearDistance;
+    return;
+  }
+  for (const auto& name : PerspectiveNames())
+  {
+    if (text == name.first)
+    {
+      settings.Parameterization = name.second;
+      return;
+    }
+  }
+  Refuse(option, text, "psm, lispsm, tsm, none, or n' above 0");
 }
 }

@@ -20,6 +20,8 @@ const Entry ENTRIES[] = {
   { "uniform", "vtkUniformShadowMapPass, the conventional map", MakeUniformTechnique },
   { "rtw", "vtkRTWShadowMapPass, rectilinear texture warping", MakeRTWTechnique },
   { "notw", "vtkNoTWShadowMapPass, non-orthogonal texture warping", MakeNoTWTechnique },
+  { "perspective", "vtkPerspectiveShadowMapPass, LiSPSM or as --perspective says",
+    MakePerspectiveTechnique },
 };
 
 const Entry& Find(const std::string& name)

@@ -68,6 +68,15 @@ enum class LightPlaneTurn
   MINIMAL_FRUSTUM
 };
 
+/// Of perspective; as vtkPerspectiveShadowMapPass has them.
+enum class Perspective
+{
+  PSM,
+  LISPSM,
+  TSM,
+  UNWARPED
+};
+
 enum class SampleSource
 {
   PREPASS,
@@ -110,6 +119,10 @@ struct TechniqueSettings
   std::optional<bool> Snapping;
   std::optional<double> Smoothing;               // of notw, a share of the focus
   std::optional<int> Cells;                      // a side, of notw
+  std::optional<Perspective> Parameterization;
+  std::optional<double> NearDistance; // n' of perspective
+  std::optional<double> Eta;
+  std::optional<double> FocusPoint;
   bool Stages = false;                           // whether to time the stages on the GPU
 };
 
@@ -172,6 +185,7 @@ std::unique_ptr<Technique> MakeVtkTechnique(const TechniqueSettings& settings);
 std::unique_ptr<Technique> MakeUniformTechnique(const TechniqueSettings& settings);
 std::unique_ptr<Technique> MakeRTWTechnique(const TechniqueSettings& settings);
 std::unique_ptr<Technique> MakeNoTWTechnique(const TechniqueSettings& settings);
+std::unique_ptr<Technique> MakePerspectiveTechnique(const TechniqueSettings& settings);
 }
 
 #endif

@@ -19,12 +19,16 @@ const Names<Rasterization>& RasterizationNames();
 const Names<SampleSource>& SampleSourceNames();
 const Names<LightPlaneTurn>& LightPlaneTurnNames();
 const Names<DepthTest>& DepthTestNames();
+const Names<Perspective>& PerspectiveNames();
 const Names<Analysis>& AnalysisNames();
 const Names<Importance>& ImportanceNames();
 
 /// Importance functions with a plus between them, where "published" stands for the first three.
 /// Throws UsageError, which names the option, for any other text.
 std::vector<Importance> ReadImportance(const std::string& option, const std::string& text);
+/// psm, lispsm, tsm, none, or n' itself.
+void ReadPerspective(
+  const std::string& option, const std::string& text, TechniqueSettings& settings);
 }
 
 #endif

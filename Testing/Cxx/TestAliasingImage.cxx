@@ -158,6 +158,7 @@ int TestAliasingImage(int, char*[])
   TestTechnique(rtwTechnique::Uniform, "uniform");
   TestTechnique(rtwTechnique::RTW, "rtw");
   TestTechnique(rtwTechnique::NoTW, "notw");
+  TestTechnique(rtwTechnique::Perspective, "perspective");
   TestAxes();
   return rtwTestResult();
 }

@@ -40,9 +40,9 @@ void TestGlyphs(rtwChain chain)
 
 int TestShadowFirstFrame(int, char*[])
 {
-  for (const Named& technique :
-    { Named{ rtwTechnique::Unfocused, "unfocused" }, Named{ rtwTechnique::Uniform, "uniform" },
-      Named{ rtwTechnique::RTW, "rtw" }, Named{ rtwTechnique::NoTW, "notw" } })
+  for (const Named& technique : { Named{ rtwTechnique::Unfocused, "unfocused" },
+         Named{ rtwTechnique::Uniform, "uniform" }, Named{ rtwTechnique::RTW, "rtw" },
+         Named{ rtwTechnique::NoTW, "notw" }, Named{ rtwTechnique::Perspective, "perspective" } })
   {
     TestOneFrame(technique, rtwChain::Steps, false);
     TestOneFrame(technique, rtwChain::Classic, true);

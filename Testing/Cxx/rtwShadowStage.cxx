@@ -2,6 +2,7 @@
 #include "rtwShadowStage.h"
 
 #include "vtkNoTWShadowMapPass.h"
+#include "vtkPerspectiveShadowMapPass.h"
 #include "vtkRTWShadowMapPass.h"
 #include "vtkShadowRenderStepsPass.h"
 #include "vtkUniformShadowMapPass.h"
@@ -114,6 +115,10 @@ vtkSmartPointer<vtkAdaptiveShadowMapPass> rtwMakePass(rtwTechnique technique)
   if (technique == rtwTechnique::NoTW)
   {
     return vtkSmartPointer<vtkNoTWShadowMapPass>::New();
+  }
+  if (technique == rtwTechnique::Perspective)
+  {
+    return vtkSmartPointer<vtkPerspectiveShadowMapPass>::New();
   }
   auto pass = vtkSmartPointer<vtkUniformShadowMapPass>::New();
   pass->SetFocusOnView(technique == rtwTechnique::Uniform);

@@ -35,7 +35,8 @@ enum class rtwTechnique
   Unfocused,
   Uniform,
   RTW,
-  NoTW
+  NoTW,
+  Perspective
 };
 
 enum class rtwChain

@@ -128,6 +128,20 @@ class TestSwitch(unittest.TestCase):
             shadows = rtwshadows.enable_shadows(plotter, filter=word)
             self.assertEqual(shadows.GetFilter(), getattr(shadows, word.upper()))
 
+    def test_perspective(self):
+        plotter = Plotter()
+        for word in ("psm", "lispsm", "tsm", "unwarped"):
+            shadows = rtwshadows.enable_shadows(plotter, "perspective", parameterization=word)
+            self.assertEqual(shadows.GetParameterization(), getattr(shadows, word.upper()))
+        self.assertIsNone(shadows.GetWarpImage(0))
+        shadows = rtwshadows.enable_shadows(plotter, "perspective", eta=0.5)
+        self.assertEqual(shadows.GetParameterization(), shadows.BY_ETA)
+        plotter.picture()
+        self.assertEqual(shadows.GetWarpImage(0).GetDimensions(), (3, 3, 1))
+        shadows.SetNearDistance(7)
+        self.assertEqual(shadows.GetPerspectiveWarp().GetNearDistance(), 7)
+        self.assertEqual(shadows.GetParameterization(), shadows.BY_NEAR_DISTANCE)
+
     def test_soft_shadows(self):
         plotter = Plotter()
         shadows = rtwshadows.enable_shadows(

@@ -40,8 +40,25 @@ WarpingGrid GridOf(vtkImageData* warp, int slice)
   return WarpingGrid::FromFunctions(std::move(lines));
 }
 
+std::function<glm::dvec2(const glm::dvec2&)> HomographyOf(vtkImageData* warp)
+{
+  glm::dmat3 homography;
+  for (int i = 0; i < 9; ++i)
+  {
+    homography[i % 3][i / 3] = *static_cast<float*>(warp->GetScalarPointer(i % 3, i / 3, 0));
+  }
+  return [=](const glm::dvec2& q) {
+    const glm::dvec3 u = homography * glm::dvec3(q, 1);
+    return u.z > 0 ? glm::dvec2(u) / u.z : glm::dvec2(std::numeric_limits<double>::quiet_NaN());
+  };
+}
+
 std::function<glm::dvec2(const glm::dvec2&)> TwinOf(vtkImageData* warp)
 {
+  if (warp->GetDimensions()[1] == 3)
+  {
+    return HomographyOf(warp);
+  }
   if (warp->GetDimensions()[2] > 1)
   {
     const auto twin = std::make_shared<NonOrthogonalWarp>(

@@ -7,6 +7,7 @@
 #include <vtkLightCollection.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNoTWShadowMapPass.h>
+#include <vtkPerspectiveShadowMapPass.h>
 #include <vtkRTWEGLRenderWindow.h>
 #include <vtkRTWShadowMapPass.h>
 #include <vtkShadowRenderStepsPass.h>
@@ -219,6 +220,7 @@ TEST_P(MapTexels, LieWhereTheMapHasWhatTheySee)
   const rtw::Scene scene = rtw::MakeScene(GetParam());
   EXPECT_GT(Drawn(scene, New<vtkRTWShadowMapPass>(), 1024).ShareOnMap(), 0.97);
   EXPECT_GT(Drawn(scene, New<vtkNoTWShadowMapPass>(), 1024).ShareOnMap(), 0.97);
+  EXPECT_GT(Drawn(scene, New<vtkPerspectiveShadowMapPass>(), 1024).ShareOnMap(), 0.97);
   EXPECT_GT(Drawn(scene, New<vtkUniformShadowMapPass>(), 1024).ShareOnMap(), 0.97);
 }
 

@@ -8,6 +8,7 @@
 #include "rtwLightUniforms.h"
 #include "rtwLitSample.h"
 #include "rtwOpenGL.h"
+#include "rtwPlacedOnPlane.h"
 #include "rtwSamplePlace.h"
 #include "rtwViewSampleAccess.h"
 #include "rtwViewSampler.h"
@@ -44,7 +45,8 @@ void SetWholeBounds(const Program& program, const LightFrame& frame)
 bool FocusStage::Build()
 {
   return this->Reduction.Build({ { GL_COMPUTE_SHADER,
-           { rtwViewSampleAccess, rtwSamplePlace, rtwLitSample, rtwBackwardSample, rtwFocusReduction } } }) &&
+           { rtwViewSampleAccess, rtwSamplePlace, rtwLitSample, rtwBackwardSample, rtwPlacedOnPlane,
+             rtwFocusReduction } } }) &&
     this->Writing.Build({ { GL_COMPUTE_SHADER, { rtwWarpFocus, rtwFocusWrite } } });
 }
 

@@ -14,10 +14,9 @@ layout(std430, binding = 1) buffer Tiles
 {
   vec4 rtwTiles[]; // what the pixels of a tile might hold
 };
-uniform int rtwLayer;
 uniform int rtwClosely;       // whether this is the second pass
 uniform float rtwFilterWidth; // how far in the world a filter looks around a receiver
-uniform vec4 rtwWholeBounds;  // nothing outside the light's own bounds counts
+uniform vec4 rtwWholeBounds;  // nothing outside of these counts
 shared vec4 rtwPartial[256];
 
 const vec4 NOTHING = vec4(1e30, 1e30, -1e30, -1e30);
@@ -44,12 +43,12 @@ vec4 rtwAround(vec2 centre, vec2 reach)
 // What the sample's pixels might hold: twice as far as a plane goes, which nears the horizon ever faster.
 vec4 rtwHeldMaybe(LitSample s)
 {
-  return rtwAround(s.onLight, rtwFilterWidth / s.w + 2.0 * float(rtwStride - 1) * s.across);
+  return rtwPlaced(rtwAround(s.onLight, rtwFilterWidth / s.w + 2.0 * float(rtwStride - 1) * s.across));
 }
 
 void rtwVisit(LitSample s)
 {
-  rtwSeen = rtwUnited(rtwSeen, rtwAround(s.onLight, vec2(rtwFilterWidth / s.w)));
+  rtwSeen = rtwUnited(rtwSeen, rtwPlaced(rtwAround(s.onLight, vec2(rtwFilterWidth / s.w))));
   rtwMaybe = rtwUnited(rtwMaybe, rtwHeldMaybe(s));
 }
 

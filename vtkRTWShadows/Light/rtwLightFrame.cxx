@@ -13,9 +13,6 @@ namespace
 constexpr double WidestCone = 89.0;
 // Of a spot's reach: casters nearer to it than that share one depth.
 constexpr double NearestShare = 1e-3;
-// Half a degree between view and light: any less, and a slight move of the camera would turn the
-// light plane far.
-constexpr double LeastShownAlong = 0.01;
 
 void SetRow(glm::dmat4& matrix, int row, const glm::dvec3& axis, double offset)
 {
@@ -174,7 +171,8 @@ LightFrame Turned(const LightFrame& frame, double by)
   return turned;
 }
 
-double ViewAlignedTurn(const ShadowLight& light, const glm::dvec3& eye, const glm::dvec3& forward)
+double ViewAlignedTurn(
+  const ShadowLight& light, const glm::dvec3& eye, const glm::dvec3& forward, double least)
 {
   const auto [s, t] = BasisOf(light.Direction);
   glm::dvec2 along(glm::dot(forward, s), glm::dot(forward, t));
@@ -187,7 +185,7 @@ double ViewAlignedTurn(const ShadowLight& light, const glm::dvec3& eye, const gl
       glm::dvec2(glm::dot(toEye, s), glm::dot(toEye, t)) * glm::dot(forward, light.Direction);
     length = glm::length(toEye);
   }
-  const bool isPoint = !(glm::length(along) > LeastShownAlong * length);
+  const bool isPoint = !(glm::length(along) > least * length);
   return isPoint ? 0.0 : std::atan2(-along.x, along.y);
 }
 }

@@ -72,10 +72,14 @@ LightFrame MakeLightFrame(const ShadowLight& light, const ExtentFunction& extent
 /// holds the old ones.
 LightFrame Turned(const LightFrame& frame, double by);
 
+/// Half a degree between view and light: any less, and a slight move of the camera would turn the
+/// light plane far.
+constexpr double LeastShownAlong = 0.01;
+
 /// The turn that lays the t axis along the image that the light has of the line from the eye
-/// forward; 0 where that is a point, as good as.
-double ViewAlignedTurn(
-  const ShadowLight& light, const glm::dvec3& eye, const glm::dvec3& forward);
+/// forward; 0 where that is a point, as good as: no longer than `least` of it.
+double ViewAlignedTurn(const ShadowLight& light, const glm::dvec3& eye, const glm::dvec3& forward,
+  double least = LeastShownAlong);
 }
 
 #endif

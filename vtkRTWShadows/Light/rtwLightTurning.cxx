@@ -8,6 +8,7 @@ namespace rtw
 namespace
 {
 constexpr std::size_t MostViewers = 64; // who may have gone without a word
+constexpr double LeastAlong = 1e-6;     // below it there is nothing but rounding
 }
 
 void LightTurning::Begin(
@@ -24,9 +25,10 @@ void LightTurning::Begin(
   std::vector<double> aligned;
   for (const ShadowLight& light : lights)
   {
-    aligned.push_back(ViewAlignedTurn(light, view.Eye, view.Forward));
+    aligned.push_back(ViewAlignedTurn(
+      light, view.Eye, view.Forward, kind == Turning::AlongView ? LeastAlong : LeastShownAlong));
   }
-  if (kind == Turning::ViewAligned)
+  if (kind == Turning::ViewAligned || kind == Turning::AlongView)
   {
     this->Turns = aligned;
   }

@@ -18,7 +18,8 @@ enum class Turning
   Off,
   ViewAligned,
   Automatic,
-  MinimalFrustum ///< Set() tells
+  MinimalFrustum, ///< Set() tells
+  AlongView       ///< ViewAligned, for a warp that has come to nothing where there is no such turn
 };
 
 class LightTurning

@@ -13,6 +13,7 @@
 #include "rtwCoverByTiles.h"
 #include "rtwCoverCasters.h"
 #include "rtwCoveredCaster.h"
+#include "rtwCoverInFront.h"
 #include "rtwCullCasters.h"
 #include "rtwCullTriangles.h"
 #include "rtwFocusMatrices.h"
@@ -68,6 +69,13 @@ std::string Limits()
     "u;\nconst int PATCH_SIDE = " + std::to_string(1 << (PatchClasses - 1)) + ";\n";
 }
 
+const char* CoverOf(WarpKind kind)
+{
+  return kind == WarpKind::Separable ? rtwCoverCasters
+    : kind == WarpKind::Grid         ? rtwCoverByTiles
+                                     : rtwCoverInFront;
+}
+
 float NearestW(const LightFrame& frame)
 {
   return frame.Light.Kind == LightKind::Spot ? float(NearestWShare * frame.NearestDistance) : 0.5f;
@@ -98,10 +106,13 @@ bool CasterDrawing::Build(const WarpShape& warp, TableAccess access)
     this->Warp = warp.Name;
     this->Access = access;
   }
-  this->InTiles = !warp.Separable;
+  this->InTiles = warp.Kind == WarpKind::Grid;
+  this->Projective = warp.Kind == WarpKind::Projective;
   const std::string limits = Limits();
   const char* const stored = WarpTable::DefinitionOf(access);
-  const char* const cover = warp.Separable ? rtwCoverCasters : rtwCoverByTiles;
+  const char* const cover = CoverOf(warp.Kind);
+  // Where edges are straight, a cover is the triangle.
+  const char* const covered = this->Projective ? rtwTessellatedCasterFS : rtwBentCasterFS;
   return this->Focusing.Build(
            { { GL_COMPUTE_SHADER, { stored, rtwWarpFocus, rtwFocusMatrices } } }) &&
     this->Culling.Build({ { GL_COMPUTE_SHADER,
@@ -116,11 +127,10 @@ bool CasterDrawing::Build(const WarpShape& warp, TableAccess access)
         rtwTessellateCasters, rtwSetUpCasters } } }) &&
     this->Straight.Build({ { GL_VERTEX_SHADER, { rtwCasterRecords, rtwStraightCasterVS } },
       { GL_FRAGMENT_SHADER, { rtwCasterGradient, rtwStraightCasterFS } } }) &&
-    this->Bent.Build(
-      { { GL_VERTEX_SHADER, { rtwCasterRecords, rtwCoveredCaster, rtwBentCasterVS } },
-        { GL_FRAGMENT_SHADER,
-          { stored, rtwWarpFocus, warp.Function, rtwCasterGradient, rtwCasterPlane,
-            rtwBentCasterFS } } }) &&
+    this->Bent.Build({ { GL_VERTEX_SHADER,
+                         { rtwCasterRecords, rtwCoveredCaster, rtwBentCasterVS } },
+      { GL_FRAGMENT_SHADER,
+        { stored, rtwWarpFocus, warp.Function, rtwCasterGradient, rtwCasterPlane, covered } } }) &&
     this->Patches.Build({ { GL_VERTEX_SHADER,
                             { stored, rtwWarpFocus, warp.Function, limits.c_str(), rtwPatchClasses,
                               rtwCasterRecords, rtwTessellatedCasterVS } },
@@ -154,6 +164,12 @@ void CasterDrawing::StartLayer(int layer)
   this->Counts.Write(layer * sizeof(none), &none, sizeof(none));
 }
 
+// Straight edges need none of the other ways.
+Bending CasterDrawing::BendingOf(const Layer& layer) const
+{
+  return this->Projective ? Bending::Exact : layer.Options.Bends;
+}
+
 void CasterDrawing::Prepare(const Program& program, const Layer& layer) const
 {
   program.Use();
@@ -161,7 +177,7 @@ void CasterDrawing::Prepare(const Program& program, const Layer& layer) const
   layer.Table.BindLayer(layer.Index);
   program.Set("rtwLayer", layer.Index);
   program.Set("rtwNearestW", NearestW(layer.Frame));
-  const Bending bends = layer.Options.Bends;
+  const Bending bends = this->BendingOf(layer);
   const float allowed = bends == Bending::Exact ? LeastBendInTexels : AllowedBendInTexels;
   program.Set("rtwAllowedBend", allowed / float(layer.Table.GetResolution()));
   program.Set("rtwTessellating", bends == Bending::Tessellated ? 1 : 0);
@@ -196,7 +212,7 @@ void CasterDrawing::Cull(const Layer& layer, int first, int end)
   this->Culling.Set("rtwFirstDraw", first);
   this->Culling.Set("rtwEndDraw", end);
   this->Culling.Set("rtwCull", layer.Options.Cull ? 1 : 0);
-  this->Culling.Set("rtwBending", layer.Options.Bends != Bending::Linear ? 1 : 0);
+  this->Culling.Set("rtwBending", this->BendingOf(layer) != Bending::Linear ? 1 : 0);
   this->Culling.Set("rtwLeastBend", LeastBendInTexels / float(layer.Table.GetResolution()));
   Dispatch(Groups(end - first, 64));
 }
@@ -206,7 +222,7 @@ void CasterDrawing::SetUp(const Layer& layer, int clusters)
   this->StraightCasters.Reserve(StraightBytes * clusters);
   this->BentCasters.Reserve(BentBytes * clusters);
   // Patches lie behind the covers.
-  const bool tessellates = layer.Options.Bends == Bending::Tessellated;
+  const bool tessellates = this->BendingOf(layer) == Bending::Tessellated;
   const std::size_t most = MostClusters * MostCovers;
   this->Covers.Reserve(CoverBytes *
     (tessellates        ? 2 * most + MostClusters * FinePatches
@@ -239,7 +255,7 @@ void CasterDrawing::DrawTriangles(const Layer& layer, int clusters)
   {
     this->Tiles.DrawPoints([&](const Program& program) { this->Prepare(program, layer); });
   }
-  if (layer.Options.Bends == Bending::Tessellated)
+  if (this->BendingOf(layer) == Bending::Tessellated)
   {
     this->Prepare(this->Patches, layer);
     for (std::size_t k = 0; k < PatchClasses; ++k)

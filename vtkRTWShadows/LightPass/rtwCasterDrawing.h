@@ -79,6 +79,7 @@ private:
 
   std::array<Program*, 8> Programs();
   std::array<Buffer*, 7> Buffers();
+  Bending BendingOf(const Layer& layer) const;
   void Prepare(const Program& program, const Layer& layer) const;
   void Focus(const Layer& layer);
   void Cull(const Layer& layer, int first, int end);
@@ -88,6 +89,7 @@ private:
 
   std::string Warp;
   bool InTiles = false; ///< whether bent triangles are covered by tiles of the map
+  bool Projective = false; ///< it keeps edges straight
   TableAccess Access = TableAccess::Storage;
   Program Focusing, Culling, CullingTriangles, SettingUp, Straight, Bent, Patches, Thin;
   Buffer LightMatrices, Matrices, Work, StraightCasters, BentCasters, Covers, Counts;

@@ -53,7 +53,7 @@ vtkAdaptiveShadowMapPass::Internals::Attachment::Attachment(Internals& internals
   , Props(std::move(props))
 {
   vtkTextureUnitManager* manager = this->My.Window->GetTextureUnitManager();
-  this->Needed = this->My.Pipeline.GetShape().Separable ? 4 : 5;
+  this->Needed = this->My.Pipeline.GetShape().Kind == rtw::WarpKind::Grid ? 5 : 4;
   while (this->Units.size() < this->Needed)
   {
     const int unit = manager->Allocate();

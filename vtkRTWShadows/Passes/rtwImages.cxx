@@ -3,12 +3,14 @@
 
 #include "rtwDenseLayers.h"
 #include "rtwTexture.h"
+#include "rtwWarpStage.h"
 #include "rtwWarpTable.h"
 
 #include "vtkImageData.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <vector>
 
 namespace rtw
@@ -58,9 +60,22 @@ vtkSmartPointer<vtkImageData> ReadGrid(const WarpTable& table, int layer)
   }
   return image;
 }
+
+// As rtwWarpPerspective.glsl has them.
+vtkSmartPointer<vtkImageData> MakeHomography(float low, float high, float strength, float eye)
+{
+  const float scale = 1 / (high - low);
+  const float rows[] = { scale, (eye - low) * strength * scale, -low * scale, 0, 1 + strength, 0, 0,
+    strength, 1 };
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(3, 3, 1);
+  image->AllocateScalars(VTK_FLOAT, 1);
+  std::copy(std::begin(rows), std::end(rows), static_cast<float*>(image->GetScalarPointer()));
+  return image;
+}
 }
 
-vtkSmartPointer<vtkImageData> ReadWarp(const WarpTable& table, int layer)
+vtkSmartPointer<vtkImageData> ReadWarp(const WarpTable& table, int layer, WarpKind kind)
 {
   if (layer < table.GetGridLayers())
   {
@@ -68,6 +83,11 @@ vtkSmartPointer<vtkImageData> ReadWarp(const WarpTable& table, int layer)
   }
   std::vector<float> all = table.Read();
   const std::size_t row = 2 * std::size_t(table.GetRowLength());
+  if (kind == WarpKind::Projective)
+  {
+    const float* const s = all.data() + row * WarpTable::RowsPerLayer * layer;
+    return MakeHomography(s[0], s[1], s[row], s[row + 1]);
+  }
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(table.GetCells() + 1, 2, 1);
   image->AllocateScalars(VTK_FLOAT, 1);

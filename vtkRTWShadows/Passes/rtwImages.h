@@ -14,11 +14,12 @@ namespace rtw
 class DenseLayers;
 class Texture;
 class WarpTable;
+enum class WarpKind;
 
 /// A layer of bytes, as they are.
 vtkSmartPointer<vtkImageData> ReadMask(const Texture& mask, int layer);
 vtkSmartPointer<vtkImageData> ReadShadowMap(const DenseLayers& layers, int layer);
-vtkSmartPointer<vtkImageData> ReadWarp(const WarpTable& table, int layer);
+vtkSmartPointer<vtkImageData> ReadWarp(const WarpTable& table, int layer, WarpKind kind);
 /// Two floats a pixel, as they are.
 vtkSmartPointer<vtkImageData> ReadAliasing(const Texture& error);
 /// Of two rows of two floats a cell or, of a grid, two slices of as many rows as cells; null for

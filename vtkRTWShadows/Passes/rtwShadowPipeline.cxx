@@ -99,10 +99,10 @@ void ShadowPipeline::MakeFrames(const FrameScene& scene, const std::vector<Shado
 }
 
 void ShadowPipeline::FindMinimalFrusta(
-  const FrameScene& scene, const std::vector<ShadowLight>& lights, const PipelineOptions& options)
+  const FrameScene& scene, const std::vector<ShadowLight>& lights, Turning turn)
 {
   this->Minimal.assign(lights.size(), {});
-  if (options.Turn != Turning::MinimalFrustum)
+  if (turn != Turning::MinimalFrustum)
   {
     return;
   }
@@ -121,6 +121,15 @@ void ShadowPipeline::FindMinimalFrusta(
     }
   }
   this->Turns.Set(turns);
+}
+
+Turning ShadowPipeline::TurningOf(const PipelineOptions& options) const
+{
+  if (this->OwnDrawing && this->Warp->LiesAlongView())
+  {
+    return Turning::AlongView;
+  }
+  return this->OwnDrawing || options.Turn != Turning::Automatic ? options.Turn : Turning::Off;
 }
 
 int ShadowPipeline::CountOtherLayers(const FrameScene& scene, std::size_t lights) const
@@ -163,10 +172,9 @@ bool ShadowPipeline::Update(const View& view, const FrameScene& scene,
     this->LastSignature = 0;
     return false;
   }
-  this->Turns.Begin(
-    this->OwnDrawing || options.Turn != Turning::Automatic ? options.Turn : Turning::Off,
-    options.Viewer, lights, view);
-  this->FindMinimalFrusta(scene, lights, options);
+  const Turning turn = this->TurningOf(options);
+  this->Turns.Begin(turn, options.Viewer, lights, view);
+  this->FindMinimalFrusta(scene, lights, turn);
   const std::uint64_t signature = this->Sign(scene, lights, options);
   if (options.Caching && signature == this->LastSignature && this->Settled &&
     this->Turns.GetTurns() == this->DrawnTurns)
@@ -234,7 +242,7 @@ int ShadowPipeline::ClampResolution(unsigned int resolution, std::size_t lights)
   // The layers of a light and of its other casters.
   const int rows = WarpTable::RowsPerLayer * 2 * static_cast<int>(std::max<std::size_t>(lights, 1));
   int most = std::min(this->Can.MaximumTextureSize, this->Can.MaximumTexels / rows);
-  if (!this->GetShape().Separable)
+  if (this->GetShape().Kind == WarpKind::Grid)
   {
     // Each layer's grid has an element a texel, and two a cell.
     const double cells = 2.0 * this->Warp->GetCells() * this->Warp->GetCells();

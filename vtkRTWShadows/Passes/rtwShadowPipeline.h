@@ -107,10 +107,10 @@ public:
   /// By how many layers those of casters that mappers draw lie behind the lights' own; 0 where they
   /// share them.
   int GetOtherLayers() const { return this->OtherLayers; }
-  /// Whether such layers are needed for a scene.
   /// Of each light, where that is how its plane is turned; it sets the turns.
-  void FindMinimalFrusta(const FrameScene& scene, const std::vector<ShadowLight>& lights,
-    const PipelineOptions& options);
+  void FindMinimalFrusta(
+    const FrameScene& scene, const std::vector<ShadowLight>& lights, Turning turn);
+  /// Whether such layers are needed for a scene.
   int CountOtherLayers(const FrameScene& scene, std::size_t lights) const;
   /// The mask of the last frame; made now, where the picture didn't need it.
   const Texture& GetMask(
@@ -136,6 +136,7 @@ public:
 
 private:
   bool Build();
+  Turning TurningOf(const PipelineOptions& options) const;
   bool HasUniformTable() const { return this->Can.FastUniforms && this->Table.FitsUniforms(); }
   void Abandon();
   LightFrame MakeFrame(const FrameScene& scene, const ShadowLight& light, double turn) const;

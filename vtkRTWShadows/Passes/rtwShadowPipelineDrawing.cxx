@@ -222,7 +222,8 @@ void ShadowPipeline::Draw(const FrameScene& scene, const std::vector<ShadowLight
   this->OtherLayers = this->CountOtherLayers(scene, lights.size());
   this->Layers.Allocate(options.Resolution, layers + this->OtherLayers);
   this->Table.Allocate((this->OwnDrawing ? this->Warp : this->Fallback)->GetCells(),
-    options.Resolution, layers + this->OtherLayers, this->GetShape().Separable ? 0 : layers);
+    options.Resolution, layers + this->OtherLayers,
+    this->GetShape().Kind == WarpKind::Grid ? layers : 0);
   if (this->OwnDrawing)
   {
     this->Casters.Build(this->Warp->GetShape(),

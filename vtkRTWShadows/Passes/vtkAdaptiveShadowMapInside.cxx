@@ -31,7 +31,8 @@ vtkImageData* vtkAdaptiveShadowMapPass::GetImportanceImage(int light, int layer)
 {
   Internals& my = *this->Shadows;
   my.ImportanceImage = my.Has(light) && layer == 0 && my.MakeCurrent()
-    ? rtw::MakeImportanceImage(my.Pipeline.ReadImportance(light), !my.Pipeline.GetShape().Separable)
+    ? rtw::MakeImportanceImage(
+        my.Pipeline.ReadImportance(light), my.Pipeline.GetShape().Kind == rtw::WarpKind::Grid)
     : nullptr;
   return my.ImportanceImage;
 }

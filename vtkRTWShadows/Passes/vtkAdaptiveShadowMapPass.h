@@ -133,8 +133,9 @@ public:
   /**
    * A light's warping maps: a row of values at the borders of the cells along s, one along t. Of a
    * vtkNonOrthogonalShadowMapWarp two slices of such rows: a function along s for each row of the
-   * light plane, one along t for each column of what those make of it. Null and lifetime as for
-   * GetShadowMask.
+   * light plane, one along t for each column of what those make of it. Of a
+   * vtkPerspectiveShadowMapWarp the 3 x 3 matrix that it is, row by row: of (s, t, 1) it makes the
+   * map's coordinates times the third. Null and lifetime as for GetShadowMask.
    */
   vtkImageData* GetWarpImage(int light, int layer = 0);
 

@@ -149,7 +149,7 @@ vtkImageData* vtkAdaptiveShadowMapPass::GetWarpImage(int light, int layer)
 {
   Internals& my = *this->Shadows;
   my.WarpImage = my.Has(light) && layer == 0 && my.MakeCurrent()
-    ? rtw::ReadWarp(my.Pipeline.GetTable(), light)
+    ? rtw::ReadWarp(my.Pipeline.GetTable(), light, my.Pipeline.GetShape().Kind)
     : nullptr;
   return my.WarpImage;
 }

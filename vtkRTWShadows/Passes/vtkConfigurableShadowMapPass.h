@@ -207,7 +207,8 @@ public:
    * around what the view's frustum and the scene's bounds have in common, as the light sees it
    * (Milet et al. 2015, section 3.2), found on the CPU. Without FocusOnView the map is that
    * rectangle, which needs no view samples; with it, what the samples take of it. Where there is no
-   * such rectangle it is OFF. Default: OFF.
+   * such rectangle it is OFF. A vtkPerspectiveShadowMapWarp always lies along the view, whatever is
+   * set. Default: OFF.
    */
   virtual void SetLightPlaneTurn(int turn);
   vtkGetMacro(LightPlaneTurn, int);

@@ -63,7 +63,7 @@ NonOrthogonalWarpStage::NonOrthogonalWarpStage(std::function<NonOrthogonalSettin
 WarpShape NonOrthogonalWarpStage::GetShape() const
 {
   return { "non-orthogonal", rtwWarpNonOrthogonal, rtwBendNonOrthogonal, rtwSlopeNonOrthogonal,
-    false };
+    WarpKind::Grid };
 }
 
 bool NonOrthogonalWarpStage::Build()

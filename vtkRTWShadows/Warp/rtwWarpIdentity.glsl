@@ -4,6 +4,11 @@ vec2 rtwWarp(int layer, vec2 q)
   return q;
 }
 
+vec3 rtwWarpHomogeneous(int layer, vec2 q)
+{
+  return vec3(rtwWarp(layer, q), 1.0);
+}
+
 vec2 rtwTexelCentre(int layer, ivec2 texel)
 {
   return (vec2(texel) + 0.5) / float(rtwWarpSize.y);

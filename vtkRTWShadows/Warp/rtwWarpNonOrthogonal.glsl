@@ -54,6 +54,11 @@ vec2 rtwWarp(int layer, vec2 q)
   return vec2(s, rtwWarpAlong(layer, 1, q.y, s));
 }
 
+vec3 rtwWarpHomogeneous(int layer, vec2 q)
+{
+  return vec3(rtwWarp(layer, q), 1.0);
+}
+
 vec2 rtwTexelCentre(int layer, ivec2 texel)
 {
   return layer < rtwGridLayers ? texelFetch(rtwWarpGrid, rtwCentrePlace(layer, texel)).xy

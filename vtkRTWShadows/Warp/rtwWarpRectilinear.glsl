@@ -13,6 +13,11 @@ vec2 rtwWarp(int layer, vec2 q)
   return vec2(rtwWarpAlong(4 * layer, q.x), rtwWarpAlong(4 * layer + 1, q.y));
 }
 
+vec3 rtwWarpHomogeneous(int layer, vec2 q)
+{
+  return vec3(rtwWarp(layer, q), 1.0);
+}
+
 vec2 rtwTexelCentre(int layer, ivec2 texel)
 {
   return vec2(rtwWarpEntry(4 * layer + 2, texel.x).x, rtwWarpEntry(4 * layer + 3, texel.y).x);

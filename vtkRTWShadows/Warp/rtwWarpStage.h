@@ -2,7 +2,8 @@
 // The contract of a warp: GLSL for caster and receiver, and a way to build its table from view
 // samples.
 //
-// Implemented by IdentityWarpStage (below) and RectilinearWarpStage.
+// Implemented by IdentityWarpStage (below), RectilinearWarpStage, NonOrthogonalWarpStage and
+// PerspectiveWarpStage.
 #ifndef rtwWarpStage_h
 #define rtwWarpStage_h
 
@@ -20,13 +21,20 @@ class WarpTable;
 struct AnalysisInput;
 struct View;
 
+enum class WarpKind
+{
+  Separable,  ///< s on the map depends on s alone, and t on t
+  Projective, ///< straight lines stay straight; Bend defines rtwFront too
+  Grid        ///< neither; it has a grid in the table
+};
+
 struct WarpShape
 {
   const char* Name;     ///< tells shader code for one warp from that for another
-  const char* Function; ///< defines rtwWarp and rtwTexelCentres
+  const char* Function; ///< defines rtwWarp, rtwWarpHomogeneous and rtwTexelCentres
   const char* Bend;     ///< defines rtwBoundsOnMap, rtwBends, rtwShifts and rtwBendsOfPieces
   const char* Slope;    ///< defines rtwWarpSlope
-  bool Separable = true; ///< s on the map depends on s alone, and t on t
+  WarpKind Kind = WarpKind::Separable;
 };
 
 /// What a warp that remembers the last frame needs to know of this one.
@@ -49,6 +57,8 @@ public:
   virtual WarpShape GetShape() const = 0;
   virtual bool NeedsViewSamples() const = 0;
   virtual int GetCells() const = 0; ///< of a warping function
+  /// Whether t has to lie along the view on each light plane, however it would be turned else.
+  virtual bool LiesAlongView() const { return false; }
   /// Texels a side of the depth image of each light that Run() looks at; 0 where it looks at none.
   virtual int GetLightImageSize() const { return 0; }
   /// Compiles; false, with the reason in GetLog(), where the driver can't.

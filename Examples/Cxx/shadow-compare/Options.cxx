@@ -187,6 +187,16 @@ std::vector<rtw::CommandLineOption> Entries(Options& options)
       } },
     { "--cells", "N", "a side of the grid of notw, 64 to 2048; default 512",
       [&](const std::string& value) { settings.Cells = ReadWhole("--cells", value, 64, 2048); } },
+    { "--perspective", "P",
+      "of perspective: psm, lispsm, tsm, none, or n' itself in world units; default lispsm",
+      [&](const std::string& value) { ReadPerspective("--perspective", value, settings); } },
+    { "--eta", "E", "of perspective, instead: -1, no warp, over 0, LiSPSM, to 1, PSM",
+      [&](const std::string& value) { settings.Eta = ReadNumber("--eta", value, -1, 1); } },
+    { "--focus-point", "F",
+      "of tsm, what 80 % of the map lie before, 0.001 to 1 of what is seen; default 0.1",
+      [&](const std::string& value) {
+        settings.FocusPoint = ReadNumber("--focus-point", value, 0.001, 1);
+      } },
     { "--stages", "", "print the milliseconds of each stage on the GPU",
       [&](const std::string&) { settings.Stages = true; } },
     { "--out", "DIR", "write pictures, masks and differences there",

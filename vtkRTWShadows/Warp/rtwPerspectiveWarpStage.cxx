@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rtwPerspectiveWarpStage.h"
+
+#include "rtwAnalysisInput.h"
+#include "rtwBackwardSample.h"
+#include "rtwBendPerspective.h"
+#include "rtwBuildPerspective.h"
+#include "rtwDrawing.h"
+#include "rtwFocusReduction.h"
+#include "rtwLightUniforms.h"
+#include "rtwLitSample.h"
+#include "rtwNearestSample.h"
+#include "rtwOpenGL.h"
+#include "rtwPlacedOnWarp.h"
+#include "rtwSamplePlace.h"
+#include "rtwSlopePerspective.h"
+#include "rtwViewSampleAccess.h"
+#include "rtwViewSampler.h"
+#include "rtwWarpFocus.h"
+#include "rtwWarpPerspective.h"
+#include "rtwWarpTable.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+namespace rtw
+{
+namespace
+{
+constexpr int Tile = 64;              // as in rtwBackwardSample.glsl
+constexpr int LeastStride = 2;        // bounds look at each pixel that might lie beyond them
+constexpr double UnseenMargin = 0.05; // of the map, for what the last frame has not seen
+
+glm::vec4 ToVector(const Rectangle& r)
+{
+  return glm::vec4(r.Low, r.High);
+}
+
+void Set(const Program& program, const char* uniform, const glm::vec4& v)
+{
+  glUniform4f(program.Location(uniform), v.x, v.y, v.z, v.w);
+}
+}
+
+PerspectiveWarpStage::PerspectiveWarpStage(std::function<PerspectiveChoice()> choice)
+  : Choice(std::move(choice))
+{
+}
+
+WarpShape PerspectiveWarpStage::GetShape() const
+{
+  return { "perspective", rtwWarpPerspective, rtwBendPerspective, rtwSlopePerspective,
+    WarpKind::Projective };
+}
+
+bool PerspectiveWarpStage::Build()
+{
+  return this->Looking.Build({ { GL_COMPUTE_SHADER,
+           { rtwViewSampleAccess, rtwSamplePlace, rtwLitSample, rtwBackwardSample,
+             rtwNearestSample } } }) &&
+    this->Bounding.Build({ { GL_COMPUTE_SHADER,
+      { rtwWarpFocus, rtwWarpPerspective, rtwBendPerspective, rtwViewSampleAccess, rtwSamplePlace,
+        rtwLitSample, rtwBackwardSample, rtwPlacedOnWarp, rtwFocusReduction } } }) &&
+    this->Building.Build({ { GL_COMPUTE_SHADER, { rtwWarpFocus, rtwBuildPerspective } } });
+}
+
+std::string PerspectiveWarpStage::GetLog() const
+{
+  return this->Looking.GetLog() + this->Bounding.GetLog() + this->Building.GetLog();
+}
+
+void PerspectiveWarpStage::Follow(const WarpFrame& frame, const WarpTable&)
+{
+  this->Viewed = frame.Viewed;
+  this->Focused = frame.Focused;
+  this->Current = frame.Current;
+}
+
+void PerspectiveWarpStage::Run(
+  const std::vector<LightFrame>& frames, const AnalysisInput& input, const WarpTable& table)
+{
+  this->Layers = static_cast<int>(frames.size());
+  this->Report.Reserve(frames.size() * sizeof(glm::vec4));
+  this->Nearest.Reserve(frames.size() * sizeof(float));
+  this->Nearest.Clear();
+  std::vector<std::uint32_t> none;
+  for (std::size_t i = 0; i < 2 * frames.size(); ++i)
+  {
+    none.insert(none.end(), { 0xffffffffu, 0xffffffffu, 0u, 0u });
+  }
+  this->Bounds.Assign(none);
+  for (int layer = 0; layer < this->Layers; ++layer)
+  {
+    this->FindNearest(frames[layer], layer, input);
+    this->Write(frames[layer], layer, 0, input, table);
+    this->FindBounds(frames[layer], layer, input, table);
+    this->Write(frames[layer], layer, 1, input, table);
+  }
+}
+
+void PerspectiveWarpStage::FindNearest(
+  const LightFrame& frame, int layer, const AnalysisInput& input)
+{
+  this->Looking.Use();
+  this->Nearest.BindStorage(0);
+  input.Samples.Bind(this->Looking);
+  BindLight(this->Looking, frame, input.Samples.GetView(), input.Stride);
+  this->Looking.Set("rtwLayer", layer);
+  Dispatch(Groups(Groups(input.Samples.GetWidth(), input.Stride), Tile),
+    Groups(Groups(input.Samples.GetHeight(), input.Stride), Tile));
+}
+
+// On the map as it is with ends 0 and 1.
+void PerspectiveWarpStage::FindBounds(
+  const LightFrame& frame, int layer, const AnalysisInput& input, const WarpTable& table)
+{
+  const int stride = std::min(input.Stride, LeastStride);
+  const int columns = Groups(Groups(input.Samples.GetWidth(), stride), Tile);
+  const int rows = Groups(Groups(input.Samples.GetHeight(), stride), Tile);
+  this->Tiles.Reserve(sizeof(glm::vec4) * columns * rows);
+  this->Bounding.Use();
+  this->Bounds.BindStorage(0);
+  this->Tiles.BindStorage(1);
+  input.Samples.Bind(this->Bounding);
+  table.Bind(this->Bounding);
+  BindLight(this->Bounding, frame, input.Samples.GetView(), stride);
+  Set(this->Bounding, "rtwWholeBounds", glm::vec4(-1e30f, -1e30f, 1e30f, 1e30f));
+  this->Bounding.Set("rtwFilterWidth", static_cast<float>(input.FilterWorld));
+  this->Bounding.Set("rtwLayer", layer);
+  for (int pass = 0; pass < (stride > 1 ? 2 : 1); ++pass)
+  {
+    this->Bounding.Set("rtwClosely", pass);
+    Dispatch(columns, rows);
+  }
+}
+
+void PerspectiveWarpStage::Write(
+  const LightFrame& frame, int layer, int pass, const AnalysisInput& input, const WarpTable& table)
+{
+  const PerspectiveChoice choice = this->Choice();
+  // A map of the whole scene lies around the viewer: it shows no perspective either.
+  const ViewOnLight view = LookAtView(
+    frame, this->Viewed.Eye, this->Viewed.Forward, this->Viewed.Parallel || !this->Focused);
+  this->Building.Use();
+  table.Bind(this->Building);
+  this->Bounds.BindStorage(0);
+  this->Nearest.BindStorage(1);
+  table.GetValues().BindStorage(2);
+  this->Report.BindStorage(3);
+  this->Building.Set("rtwLayer", layer);
+  this->Building.Set("rtwPass", pass);
+  this->Building.Set("rtwChoice", choice.Kind);
+  this->Building.Set("rtwValue", static_cast<float>(choice.Value));
+  this->Building.Set("rtwView", static_cast<float>(view.Sine), static_cast<float>(view.Unit),
+    static_cast<float>(view.EyeS));
+  Set(this->Building, "rtwAlso", ToVector(this->Focused ? input.Unsampled[layer] : frame.Bounds));
+  this->Building.Set("rtwMargin",
+    static_cast<float>(
+      input.FilterTexels / table.GetResolution() + (this->Current ? 0 : UnseenMargin)));
+  Dispatch(1);
+}
+
+glm::dvec2 PerspectiveWarpStage::ReadGreatestDensity(int layer) const
+{
+  glm::dvec2 density(1);
+  if (layer >= 0 && layer < this->Layers)
+  {
+    glm::vec4 report;
+    this->Report.Read(layer * sizeof(report), &report, sizeof(report));
+    density = { 1 / double(report.y - report.x), 1 + double(report.z) };
+  }
+  return density;
+}
+
+void PerspectiveWarpStage::Release()
+{
+  this->Looking.Release();
+  this->Bounding.Release();
+  this->Building.Release();
+  this->Nearest.Release();
+  this->Bounds.Release();
+  this->Tiles.Release();
+  this->Report.Release();
+  this->Layers = 0;
+}
+
+void PerspectiveWarpStage::Abandon()
+{
+  this->Looking.Abandon();
+  this->Bounding.Abandon();
+  this->Building.Abandon();
+  this->Nearest.Abandon();
+  this->Bounds.Abandon();
+  this->Tiles.Abandon();
+  this->Report.Abandon();
+  this->Layers = 0;
+}
+}

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The perspective warp on the GPU: chosen by the nearest view sample and the focus, then fitted to
+// what samples take of the map.
+//
+// For another warp on top of it, that one's focus would be this one's map: its rtwWarp would follow
+// rtwWarp here, its texel centres go before the inverse here, slopes be multiplied, and its
+// importance be collected where this one has put the samples; and the table would need a row more
+// for each layer.
+#ifndef rtwPerspectiveWarpStage_h
+#define rtwPerspectiveWarpStage_h
+
+#include "rtwBuffer.h"
+#include "rtwPerspectiveWarp.h"
+#include "rtwProgram.h"
+#include "rtwView.h"
+#include "rtwWarpStage.h"
+
+#include <functional>
+
+namespace rtw
+{
+class PerspectiveWarpStage : public WarpStage
+{
+public:
+  explicit PerspectiveWarpStage(std::function<PerspectiveChoice()> choice);
+  WarpShape GetShape() const override;
+  bool NeedsViewSamples() const override { return true; }
+  int GetCells() const override { return 1; }
+  bool LiesAlongView() const override { return true; }
+  bool Build() override;
+  std::string GetLog() const override;
+  void Follow(const WarpFrame& frame, const WarpTable& table) override;
+  void Run(const std::vector<LightFrame>& frames, const AnalysisInput& input,
+    const WarpTable& table) override;
+  glm::dvec2 ReadGreatestDensity(int layer) const override;
+  void Release() override;
+  void Abandon() override;
+
+private:
+  void FindNearest(const LightFrame& frame, int layer, const AnalysisInput& input);
+  void FindBounds(
+    const LightFrame& frame, int layer, const AnalysisInput& input, const WarpTable& table);
+  void Write(const LightFrame& frame, int layer, int pass, const AnalysisInput& input,
+    const WarpTable& table);
+
+  std::function<PerspectiveChoice()> Choice;
+  View Viewed; ///< of the frame at work
+  bool Focused = true;
+  bool Current = true; ///< whether samples are of that frame
+  Program Looking, Bounding, Building;
+  Buffer Nearest, Bounds, Tiles;
+  Buffer Report; ///< a layer: as rtwWarpPerspective.glsl has it
+  int Layers = 0;
+};
+}
+
+#endif
