@@ -4,6 +4,8 @@
 #include "rtwCompare.h"
 #include "rtwMapTexels.h"
 
+#include <vtkExactShadowMapPass.h>
+#include <vtkIdentityShadowMapWarp.h>
 #include <vtkImageData.h>
 #include <vtkNonOrthogonalShadowMapWarp.h>
 #include <vtkNoTWShadowMapPass.h>
@@ -59,7 +61,7 @@ static_assert(
       vtkRTWShadowMapPass::TURN_MINIMAL_FRUSTUM &&
     static_cast<int>(Perspective::UNWARPED) == vtkPerspectiveShadowMapPass::UNWARPED &&
     static_cast<int>(SampleSource::PREVIOUS_FRAME) == vtkRTWShadowMapPass::PREVIOUS_FRAME &&
-    static_cast<int>(DebugPicture::LAYERS) == vtkRTWShadowMapPass::LAYERS,
+    static_cast<int>(DebugPicture::LIST_LENGTHS) == vtkRTWShadowMapPass::LIST_LENGTHS,
   "one order");
 
 void ConfigureDrawing(vtkAdaptiveShadowMapPass* pass, const TechniqueSettings& settings)
@@ -265,6 +267,25 @@ std::unique_ptr<Technique> MakePerspectiveTechnique(const TechniqueSettings& set
   if (settings.Eta)
   {
     pass->SetEta(*settings.Eta);
+  }
+  return std::make_unique<AdaptiveTechnique>(pass, settings);
+}
+
+std::unique_ptr<Technique> MakeExactTechnique(const TechniqueSettings& settings)
+{
+  vtkNew<vtkExactShadowMapPass> pass;
+  if (settings.Grid == GridWarp::IDENTITY)
+  {
+    pass->SetWarp(vtkNew<vtkIdentityShadowMapWarp>());
+  }
+  if (settings.Grid == GridWarp::NON_ORTHOGONAL)
+  {
+    pass->SetWarp(vtkNew<vtkNonOrthogonalShadowMapWarp>());
+  }
+  ConfigureImportance(pass->GetRectilinearWarp(), settings);
+  if (settings.PixelSamples)
+  {
+    pass->SetSamplesPerPixel(*settings.PixelSamples);
   }
   return std::make_unique<AdaptiveTechnique>(pass, settings);
 }

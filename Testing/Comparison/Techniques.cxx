@@ -22,6 +22,7 @@ const Entry ENTRIES[] = {
   { "notw", "vtkNoTWShadowMapPass, non-orthogonal texture warping", MakeNoTWTechnique },
   { "perspective", "vtkPerspectiveShadowMapPass, LiSPSM or as --perspective says",
     MakePerspectiveTechnique },
+  { "exact", "vtkExactShadowMapPass, exact hard shadows", MakeExactTechnique },
 };
 
 const Entry& Find(const std::string& name)

@@ -83,6 +83,14 @@ enum class SampleSource
   PREVIOUS_FRAME
 };
 
+/// Of exact: how view samples are spread over texels.
+enum class GridWarp
+{
+  IDENTITY,
+  RECTILINEAR,
+  NON_ORTHOGONAL
+};
+
 /// What a picture can show of a map instead of its shadows.
 enum class DebugPicture
 {
@@ -91,7 +99,8 @@ enum class DebugPicture
   ALIASING_ERROR,
   IMPORTANCE,
   WARP_GRID,
-  LAYERS
+  LAYERS,
+  LIST_LENGTHS
 };
 
 /// Settings that are not given stay what the technique has by itself.
@@ -123,6 +132,8 @@ struct TechniqueSettings
   std::optional<double> NearDistance; // n' of perspective
   std::optional<double> Eta;
   std::optional<double> FocusPoint;
+  std::optional<GridWarp> Grid;
+  std::optional<int> PixelSamples;               // 1, 4 or 8
   bool Stages = false;                           // whether to time the stages on the GPU
 };
 
@@ -186,6 +197,7 @@ std::unique_ptr<Technique> MakeUniformTechnique(const TechniqueSettings& setting
 std::unique_ptr<Technique> MakeRTWTechnique(const TechniqueSettings& settings);
 std::unique_ptr<Technique> MakeNoTWTechnique(const TechniqueSettings& settings);
 std::unique_ptr<Technique> MakePerspectiveTechnique(const TechniqueSettings& settings);
+std::unique_ptr<Technique> MakeExactTechnique(const TechniqueSettings& settings);
 }
 
 #endif

@@ -164,10 +164,10 @@ void TestBadValues()
   {
     rtwMessageCatcher messages(stage.Pass);
     stage.Pass->SetDebugViewToWarpGrid();
-    stage.Pass->SetDebugView(6);
+    stage.Pass->SetDebugView(7);
     stage.Pass->SetDebugView(-1);
     RTW_CHECK_EQUAL(messages.GetNumberOfErrors(), 2);
-    RTW_CHECK(messages.GetText().find("SetDebugView(6): expected NONE") != std::string::npos);
+    RTW_CHECK(messages.GetText().find("SetDebugView(7): expected NONE") != std::string::npos);
     RTW_CHECK_EQUAL(stage.Pass->GetDebugView(), int(Pass::WARP_GRID));
     stage.Pass->SetDebugLight(1);
     stage.Pass->SetDebugLight(-1);

@@ -42,7 +42,8 @@ int TestShadowFirstFrame(int, char*[])
 {
   for (const Named& technique : { Named{ rtwTechnique::Unfocused, "unfocused" },
          Named{ rtwTechnique::Uniform, "uniform" }, Named{ rtwTechnique::RTW, "rtw" },
-         Named{ rtwTechnique::NoTW, "notw" }, Named{ rtwTechnique::Perspective, "perspective" } })
+         Named{ rtwTechnique::NoTW, "notw" }, Named{ rtwTechnique::Perspective, "perspective" },
+         Named{ rtwTechnique::Exact, "exact" } })
   {
     TestOneFrame(technique, rtwChain::Steps, false);
     TestOneFrame(technique, rtwChain::Classic, true);

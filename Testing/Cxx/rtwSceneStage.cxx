@@ -8,12 +8,12 @@
 #include "vtkLightCollection.h"
 #include "vtkShadowRenderStepsPass.h"
 
-rtwSceneStage::rtwSceneStage(const std::string& scene)
-  : rtwSceneStage(rtw::MakeScene(scene))
+rtwSceneStage::rtwSceneStage(const std::string& scene, bool sharp)
+  : rtwSceneStage(rtw::MakeScene(scene), sharp)
 {
 }
 
-rtwSceneStage::rtwSceneStage(const rtw::Scene& scene)
+rtwSceneStage::rtwSceneStage(const rtw::Scene& scene, bool sharp)
   : Name(scene.Name)
 {
   this->Window->SetSize(1024, 1024);
@@ -21,11 +21,13 @@ rtwSceneStage::rtwSceneStage(const rtw::Scene& scene)
   this->Window->AddRenderer(this->Renderer);
   rtw::AddToRenderer(scene, this->Renderer);
   auto* light = vtkLight::SafeDownCast(this->Renderer->GetLights()->GetItemAsObject(0));
-  this->Truth = rtw::ShadowReference(this->Renderer).Trace(light, 1024, 1024);
+  rtw::ReferenceOptions options;
+  options.Sharp = sharp;
+  this->Truth = rtw::ShadowReference(this->Renderer, options).Trace(light, 1024, 1024);
 }
 
-rtw::ShadowErrors rtwSceneStage::Measure(
-  vtkAdaptiveShadowMapPass* pass, int frames, double* predicted, rtw::TexelFunction* texels)
+rtw::ShadowErrors rtwSceneStage::Measure(vtkAdaptiveShadowMapPass* pass, int frames,
+  double* predicted, rtw::TexelFunction* texels, std::vector<unsigned char>* mask)
 {
   vtkNew<vtkShadowRenderStepsPass> steps;
   steps->SetShadowMapPass(pass);
@@ -36,7 +38,12 @@ rtw::ShadowErrors rtwSceneStage::Measure(
   {
     this->Window->Render();
   }
-  const rtw::ShadowErrors errors = rtw::Compare(rtw::MaskOf(pass->GetShadowMask(0)), this->Truth);
+  const std::vector<unsigned char> own = rtw::MaskOf(pass->GetShadowMask(0));
+  const rtw::ShadowErrors errors = rtw::Compare(own, this->Truth);
+  if (mask)
+  {
+    *mask = own;
+  }
   if (predicted)
   {
     *predicted = pass->GetPredictedError(0);

@@ -14,20 +14,22 @@
 #include "vtkRenderWindow.h"
 
 #include <string>
+#include <vector>
 
 class vtkAdaptiveShadowMapPass;
 
 class rtwSceneStage
 {
 public:
-  /// 1024 × 1024 pixels.
-  explicit rtwSceneStage(const std::string& scene);
-  explicit rtwSceneStage(const rtw::Scene& scene);
+  /// 1024 × 1024 pixels. `sharp` as in rtw::ReferenceOptions.
+  explicit rtwSceneStage(const std::string& scene, bool sharp = false);
+  explicit rtwSceneStage(const rtw::Scene& scene, bool sharp = false);
 
   /// Of the last of so many frames, each made anew; what the pass itself says of it, and where
-  /// points of the world lie on its map.
+  /// points of the world lie on its map; and its mask.
   rtw::ShadowErrors Measure(vtkAdaptiveShadowMapPass* pass, int frames = 1,
-    double* predicted = nullptr, rtw::TexelFunction* texels = nullptr);
+    double* predicted = nullptr, rtw::TexelFunction* texels = nullptr,
+    std::vector<unsigned char>* mask = nullptr);
 
   vtkNew<vtkRenderWindow> Window;
   vtkNew<vtkRenderer> Renderer;

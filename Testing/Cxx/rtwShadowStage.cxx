@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rtwShadowStage.h"
 
+#include "vtkExactShadowMapPass.h"
 #include "vtkNoTWShadowMapPass.h"
 #include "vtkPerspectiveShadowMapPass.h"
 #include "vtkRTWShadowMapPass.h"
@@ -119,6 +120,10 @@ vtkSmartPointer<vtkAdaptiveShadowMapPass> rtwMakePass(rtwTechnique technique)
   if (technique == rtwTechnique::Perspective)
   {
     return vtkSmartPointer<vtkPerspectiveShadowMapPass>::New();
+  }
+  if (technique == rtwTechnique::Exact)
+  {
+    return vtkSmartPointer<vtkExactShadowMapPass>::New();
   }
   auto pass = vtkSmartPointer<vtkUniformShadowMapPass>::New();
   pass->SetFocusOnView(technique == rtwTechnique::Uniform);

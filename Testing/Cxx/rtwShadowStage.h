@@ -36,7 +36,8 @@ enum class rtwTechnique
   Uniform,
   RTW,
   NoTW,
-  Perspective
+  Perspective,
+  Exact
 };
 
 enum class rtwChain

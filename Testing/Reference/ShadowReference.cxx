@@ -76,12 +76,13 @@ class PixelTracer
 public:
   // `eye` is where the view's rays are relative to, in the coordinates of Geometry.
   PixelTracer(const Tracer& tracer, double diagonal, const ViewRays& view, const dvec3& eye,
-    const LightRays& light)
+    const LightRays& light, bool sharp)
     : Rays(tracer)
     , Diagonal(diagonal)
     , View(view)
     , Eye(eye)
     , Light(light)
+    , IsSharp(sharp)
   {
   }
 
@@ -172,9 +173,19 @@ private:
     const double fromOrigin = glm::length(at.Position + this->Rays.Scene().Origin);
     const double whenMade = 1e-5 * (std::min(fromOrigin, this->Diagonal) + 0.05 * this->Diagonal);
     const double offset = std::max(whenMade, 1e-6 * glm::length(at.Position));
-    const Ray ray{ at.Position + at.Normal * offset, -this->Light.Towards(at.Position), offset,
-      this->Light.Distance(at.Position) };
+    const Ray ray = this->IsSharp
+      ? this->SharpRay(at, 0.3 * offset)
+      : Ray{ at.Position + at.Normal * offset, -this->Light.Towards(at.Position), offset,
+          this->Light.Distance(at.Position) };
     return this->Rays.IsBlocked(ray, seen.What) ? MASK_SHADOW : MASK_LIT;
+  }
+
+  // Starts at the surface, and meets nothing until it is that high above it.
+  Ray SharpRay(const SurfacePoint& at, double height) const
+  {
+    const dvec3 way = -this->Light.Towards(at.Position);
+    return { at.Position, way, height / glm::dot(at.Normal, way),
+      this->Light.Distance(at.Position) };
   }
 
   const Tracer& Rays;
@@ -182,6 +193,7 @@ private:
   const ViewRays& View;
   dvec3 Eye;
   const LightRays& Light;
+  bool IsSharp;
 };
 
 // Calls work(row) for all rows on some threads, this one among them.
@@ -229,7 +241,7 @@ struct ShadowReference::Internals
     vtkCamera* camera = this->Renderer->GetActiveCamera();
     const ViewRays view(camera, width, height);
     const dvec3 eye = EyePosition(camera) - this->Rays.Scene().Origin;
-    const PixelTracer trace(this->Rays, this->Diagonal, view, eye, lightRays);
+    const PixelTracer trace(this->Rays, this->Diagonal, view, eye, lightRays, this->Options.Sharp);
     const auto row = [&](int y) {
       for (int x = 0; x < width; ++x)
       {

@@ -9,14 +9,13 @@ namespace rtw
 namespace
 {
 constexpr GLenum Modes[] = { GL_TRIANGLES, GL_LINES, GL_POINTS }; // as Primitive
+}
 
-// To all that comes after a compute program.
 void ShowWhatWasWritten()
 {
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |
     GL_TEXTURE_FETCH_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT |
     GL_BUFFER_UPDATE_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
-}
 }
 
 void MeshArray::Bind(const Buffer& points, const Buffer& indices, const Buffer& matrices)

@@ -93,6 +93,8 @@ float LargestPointSize();
 void Dispatch(int groupsX, int groupsY = 1, int groupsZ = 1);
 /// The same; how many groups there are along x, y and z stands in a buffer.
 void DispatchIndirect(const Buffer& groups, std::size_t offset);
+/// Makes what programs wrote visible to all that follows, which waits for what they read.
+void ShowWhatWasWritten();
 /// A number of work groups of that size that covers so many items.
 int Groups(int items, int size);
 /// Blocks until the GPU has nothing left to do.

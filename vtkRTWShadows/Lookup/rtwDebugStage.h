@@ -24,7 +24,8 @@ enum class DebugView
   AliasingError,
   Importance,
   WarpGrid,
-  Layers
+  Layers,
+  ListLengths
 };
 
 /// The map that is looked at, and from where.

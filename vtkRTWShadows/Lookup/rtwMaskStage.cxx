@@ -37,35 +37,57 @@ bool MaskStage::Build(const ReceiverShape& shape, TableAccess access)
     150);
 }
 
+void MaskStage::Allocate(const ViewSampler& samples, int lights)
+{
+  this->Mask.Allocate(Format::Byte1, samples.GetWidth(), samples.GetHeight(), lights);
+}
+
+bool MaskStage::BindTarget(int light)
+{
+  return this->Target.BindColour(this->Mask, light);
+}
+
+void MaskStage::SetLookup(
+  const Program& program, const MaskLookup& lookup, int light, int firstLayer)
+{
+  const ReceiverLights& lights = lookup.Lights;
+  lookup.Table.Bind(program);
+  lookup.Table.BindLayer(firstLayer);
+  lookup.Layers.GetDepths().Bind(DepthUnit);
+  lookup.Layers.GetGradients().Bind(GradientUnit);
+  program.Set("rtwDepths", DepthUnit);
+  program.Set("rtwGradients", GradientUnit);
+  program.Set("rtwOtherLayers", lookup.OtherLayers);
+  program.Set("rtwFilterJitter", lights.FilterJitter);
+  program.Set("rtwFirstLayer", firstLayer);
+  program.SetMatrix("rtwToLight", lights.ToLight.data() + 16 * light);
+  glUniform4fv(program.Location("rtwCone"), 1, lights.Cone.data() + 4 * light);
+  glUniform4fv(program.Location("rtwTolerance"), 1, lights.Tolerance.data() + 4 * light);
+  glUniform4fv(program.Location("rtwTaps"), 1, lights.Taps.data() + 4 * light);
+}
+
+void MaskStage::UnbindMaps(const DenseLayers& layers)
+{
+  layers.GetDepths().Unbind(DepthUnit);
+  layers.GetGradients().Unbind(GradientUnit);
+}
+
 void MaskStage::Render(const ReceiverLights& lights, int otherLayers, const ViewSampler& samples,
   const DenseLayers& layers, const WarpTable& table)
 {
-  this->Mask.Allocate(Format::Byte1, samples.GetWidth(), samples.GetHeight(), lights.Count);
+  this->Allocate(samples, lights.Count);
   this->Drawing.Use();
   samples.Bind(this->Drawing);
-  table.Bind(this->Drawing);
-  layers.GetDepths().Bind(DepthUnit);
-  layers.GetGradients().Bind(GradientUnit);
-  this->Drawing.Set("rtwDepths", DepthUnit);
-  this->Drawing.Set("rtwGradients", GradientUnit);
-  this->Drawing.Set("rtwOtherLayers", otherLayers);
-  this->Drawing.Set("rtwFilterJitter", lights.FilterJitter);
   for (int light = 0; light < lights.Count; ++light)
   {
-    if (!this->Target.BindColour(this->Mask, light))
+    if (!this->BindTarget(light))
     {
       return;
     }
-    this->Drawing.Set("rtwFirstLayer", light);
-    table.BindLayer(light);
-    this->Drawing.SetMatrix("rtwToLight", lights.ToLight.data() + 16 * light);
-    glUniform4fv(this->Drawing.Location("rtwCone"), 1, lights.Cone.data() + 4 * light);
-    glUniform4fv(this->Drawing.Location("rtwTolerance"), 1, lights.Tolerance.data() + 4 * light);
-    glUniform4fv(this->Drawing.Location("rtwTaps"), 1, lights.Taps.data() + 4 * light);
+    SetLookup(this->Drawing, { lights, otherLayers, layers, table }, light, light);
     this->Triangle.Draw();
   }
-  layers.GetDepths().Unbind(DepthUnit);
-  layers.GetGradients().Unbind(GradientUnit);
+  UnbindMaps(layers);
 }
 
 void MaskStage::Release()

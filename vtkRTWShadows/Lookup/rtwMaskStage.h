@@ -17,6 +17,15 @@ namespace rtw
 class DenseLayers;
 class ViewSampler;
 
+/// What a lookup looks at.
+struct MaskLookup
+{
+  const ReceiverLights& Lights;
+  int OtherLayers; ///< how far behind the first layer another is looked up too; 0 for none
+  const DenseLayers& Layers;
+  const WarpTable& Table;
+};
+
 class MaskStage
 {
 public:
@@ -26,6 +35,13 @@ public:
   /// One layer a light.
   void Render(const ReceiverLights& lights, int otherLayers, const ViewSampler& samples,
     const DenseLayers& layers, const WarpTable& table);
+  /// For what fills the mask by itself: makes room, makes a layer the target of drawing.
+  void Allocate(const ViewSampler& samples, int lights);
+  bool BindTarget(int light);
+  /// Gives a program with a light's lookup in it what that needs; it begins at that layer.
+  static void SetLookup(
+    const Program& program, const MaskLookup& lookup, int light, int firstLayer);
+  static void UnbindMaps(const DenseLayers& layers);
   const Texture& GetMask() const { return this->Mask; }
   void Release();
   void Abandon();

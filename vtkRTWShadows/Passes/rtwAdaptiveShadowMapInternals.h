@@ -43,6 +43,8 @@ public:
   bool WarnedOfUnits = false;
   bool WarnedOfFilterRadius = false;
   bool WarnedOfDebugShader = false;
+  bool WarnedOfSource = false;
+  bool WarnedOfMemoryBound = false;
   int WarnedOfDebugLight = -1; ///< which
 
   bool Has(int light) const

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace rtw
 {
@@ -23,6 +24,23 @@ void ShadowPipeline::SetWarp(std::unique_ptr<WarpStage> warp)
   this->Warp = std::move(warp);
   this->LastSignature = 0;
   this->Stale = true;
+}
+
+void ShadowPipeline::SetMaskSource(std::unique_ptr<MaskSource> source)
+{
+  this->Source = std::move(source);
+  this->LastSignature = 0;
+}
+
+bool ShadowPipeline::TakeIncomplete()
+{
+  return std::exchange(this->Incomplete, false);
+}
+
+CasterCounts ShadowPipeline::ReadCasterCounts(int layer) const
+{
+  return this->Source && !this->HasMaps ? this->Source->ReadCounts(layer)
+                                        : this->Casters.ReadCounts(layer);
 }
 
 WarpShape ShadowPipeline::GetShape() const
@@ -136,8 +154,8 @@ int ShadowPipeline::CountOtherLayers(const FrameScene& scene, std::size_t lights
 {
   const bool others = std::any_of(
     scene.Props.begin(), scene.Props.end(), [](const SceneProp& prop) { return prop.Casts; });
-  return others && this->OwnDrawing && this->Warp->NeedsViewSamples() ? static_cast<int>(lights)
-                                                                      : 0;
+  const bool apart = this->OwnDrawing && (this->Warp->NeedsViewSamples() || this->Source);
+  return others && apart ? static_cast<int>(lights) : 0;
 }
 
 // Of all that the layers depend on; never 0.
@@ -145,6 +163,7 @@ std::uint64_t ShadowPipeline::Sign(const FrameScene& scene, const std::vector<Sh
   const PipelineOptions& options) const
 {
   std::uint64_t signature = Mix(scene.Signature, options.Signature);
+  signature = Mix(signature, this->Source ? this->Source->GetSignature() : std::uint64_t(0));
   for (const ShadowLight& light : lights)
   {
     signature = Mix(signature, std::uint64_t(light.Kind));
@@ -175,6 +194,8 @@ bool ShadowPipeline::Update(const View& view, const FrameScene& scene,
   const Turning turn = this->TurningOf(options);
   this->Turns.Begin(turn, options.Viewer, lights, view);
   this->FindMinimalFrusta(scene, lights, turn);
+  // Which changes the signature.
+  this->Incomplete = (this->Source && this->Source->WasIncomplete()) || this->Incomplete;
   const std::uint64_t signature = this->Sign(scene, lights, options);
   if (options.Caching && signature == this->LastSignature && this->Settled &&
     this->Turns.GetTurns() == this->DrawnTurns)
@@ -268,6 +289,10 @@ glm::dvec2 ShadowPipeline::ReadMaximumEffectiveResolution(int layer) const
 void ShadowPipeline::Abandon()
 {
   this->Warp->Abandon();
+  if (this->Source)
+  {
+    this->Source->Abandon();
+  }
   this->Store.Abandon();
   this->Last.Abandon();
   this->Turns.Abandon();
@@ -294,6 +319,10 @@ void ShadowPipeline::Release(vtkOpenGLRenderWindow* window)
   }
   window->MakeCurrent();
   this->Warp->Release();
+  if (this->Source)
+  {
+    this->Source->Release();
+  }
   this->Store.Release();
   this->Last.Release();
   this->Turns.Release();

@@ -14,6 +14,7 @@
 #include "rtwGeometryStore.h"
 #include "rtwLightImages.h"
 #include "rtwLightTurning.h"
+#include "rtwMaskSource.h"
 #include "rtwMaskStage.h"
 #include "rtwMinimalFrustum.h"
 #include "rtwReceiverShader.h"
@@ -72,6 +73,14 @@ public:
 
   /// Uses that warp from now on.
   void SetWarp(std::unique_ptr<WarpStage> warp);
+  /// Fills the mask by that, from now on.
+  void SetMaskSource(std::unique_ptr<MaskSource> source);
+  /// Whether the mask of the last frame is that source's.
+  bool IsMaskBySource() const { return this->HasMask && this->MaskedBySource; }
+  /// Why it isn't, where the driver refused it.
+  const std::string& GetSourceProblem() const { return this->SourceProblem; }
+  /// Whether a frame since the last call asked too much of the source.
+  bool TakeIncomplete();
   /// Takes note of the window's context; all that belonged to another is forgotten. False where
   /// nothing can be drawn.
   bool SetContext(vtkOpenGLRenderWindow* window);
@@ -94,6 +103,8 @@ public:
   const std::vector<LightFrame>& GetFrames() const { return this->Frames; }
   const View& GetView() const { return this->Viewed; }
   const DenseLayers& GetLayers() const { return this->Layers; }
+  /// Whether the last frame drew the lights' own layers.
+  bool HasOwnLayers() const { return this->HasMaps; }
   const WarpTable& GetTable() const { return this->Table; }
   WarpShape GetShape() const;
   /// What a receiver's shaders need to know.
@@ -129,7 +140,7 @@ public:
   double PredictError(
     int light, const PipelineOptions& options, const std::function<void()>& mapperSamples);
   const Statistics& GetStatistics() const { return this->Counted; }
-  CasterCounts ReadCasterCounts(int layer) const { return this->Casters.ReadCounts(layer); }
+  CasterCounts ReadCasterCounts(int layer) const;
   /// Texels a side along s and t. Waits for the GPU.
   glm::dvec2 ReadMaximumEffectiveResolution(int layer) const;
   void Release(vtkOpenGLRenderWindow* window);
@@ -150,6 +161,13 @@ private:
     const PipelineOptions& options, const MapperDrawing& mappers, bool still);
   void DrawViewSamples(StateGuard& guard, const std::function<void()>& mapperSamples);
   void DrawMask(const PipelineOptions& options);
+  void DrawLayers(StateGuard& guard, const FrameScene& scene, const PipelineOptions& options,
+    const MapperDrawing& mappers, bool own);
+  bool UsesSource(const PipelineOptions& options) const;
+  MaskJob MakeJob(const ReceiverLights& lights, const PipelineOptions& options) const;
+  bool PaintLists(int light, const PipelineOptions& options);
+  bool DrawMaskBySource(StateGuard& guard, const FrameScene& scene, const PipelineOptions& options,
+    const MapperDrawing& mappers);
   void CompleteViewSamples(const std::function<void()>& mapperSamples);
   DebuggedMap MapOf(int light) const;
   void DrawMaps(StateGuard& guard, const FrameScene& scene, const PipelineOptions& options,
@@ -162,7 +180,7 @@ private:
   void RunWarp(const FrameScene& scene, const PipelineOptions& options, bool hasImages,
     const Texture* lastMask);
   void DrawLayer(StateGuard& guard, int layer, const FrameScene& scene,
-    const PipelineOptions& options, const MapperDrawing& mappers);
+    const PipelineOptions& options, const MapperDrawing& mappers, bool own);
   bool NeedsViewSamples(const PipelineOptions& options) const;
   bool ResampleLastFrame(const PipelineOptions& options);
   /// Of the samples in use: resampling leaves out the others.
@@ -182,6 +200,11 @@ private:
   bool OwnDrawing = false;
   std::string Problem;
   std::unique_ptr<WarpStage> Warp, Fallback;
+  std::unique_ptr<MaskSource> Source; ///< none where maps fill the mask
+  std::string SourceProblem;
+  bool MaskedBySource = false;
+  bool Incomplete = false;
+  bool HasMaps = false; ///< of the last frame
   GeometryStore Store;
   ViewSampler Sampler;
   LastFrame Last;

@@ -248,9 +248,10 @@ void ShadowPipeline::Draw(const FrameScene& scene, const std::vector<ShadowLight
     this->MakeFrames(scene, lights);
     this->DrawMaps(guard, scene, options, mappers, lastMask, still);
   }
-  this->Counted.ShadowMemory = static_cast<std::int64_t>(this->Layers.GetMemory() +
-    this->Table.GetMemory() + this->Sampler.GetMemory() + this->Masking.GetMask().GetMemory() +
-    this->Casters.GetMemory() + this->Images.GetMemory());
+  this->Counted.ShadowMemory =
+    static_cast<std::int64_t>(this->Layers.GetMemory() + this->Table.GetMemory() +
+      this->Sampler.GetMemory() + this->Masking.GetMask().GetMemory() + this->Casters.GetMemory() +
+      this->Images.GetMemory() + (this->Source ? this->Source->GetMemory() : 0));
 }
 
 // From view samples to the mask.
@@ -268,13 +269,31 @@ void ShadowPipeline::DrawMaps(StateGuard& guard, const FrameScene& scene,
   }
   const bool hasImages = this->DrawLightImages(guard, options, mappers);
   this->RunWarp(scene, options, hasImages, lastMask);
-  for (int layer = 0; layer < static_cast<int>(this->Frames.size()); ++layer)
+  const bool bySource = this->UsesSource(options);
+  // Receivers that have no view samples look at maps.
+  this->HasMaps = !bySource || !scene.UnsampledReceivers.empty();
+  this->DrawLayers(guard, scene, options, mappers, this->HasMaps);
+  if (bySource && this->DrawMaskBySource(guard, scene, options, mappers))
   {
-    this->DrawLayer(guard, layer, scene, options, mappers);
+    return;
+  }
+  if (!this->HasMaps)
+  {
+    this->HasMaps = true;
+    this->DrawLayers(guard, scene, options, mappers, true);
   }
   if (options.Masked)
   {
     this->DrawMask(options);
+  }
+}
+
+void ShadowPipeline::DrawLayers(StateGuard& guard, const FrameScene& scene,
+  const PipelineOptions& options, const MapperDrawing& mappers, bool own)
+{
+  for (int layer = 0; layer < static_cast<int>(this->Frames.size()); ++layer)
+  {
+    this->DrawLayer(guard, layer, scene, options, mappers, own);
   }
 }
 
@@ -308,6 +327,7 @@ void ShadowPipeline::DrawMask(const PipelineOptions& options)
       ReceiverLights::Make(this->Frames, this->Viewed, options.Lookup, this->SceneSize),
       this->OtherLayers, this->Sampler, this->Layers, this->Table);
     this->HasMask = true;
+    this->MaskedBySource = false;
     this->Masked = this->Viewed;
   }
 }
@@ -335,16 +355,16 @@ const Texture& ShadowPipeline::GetMask(
 }
 
 void ShadowPipeline::DrawLayer(StateGuard& guard, int layer, const FrameScene& scene,
-  const PipelineOptions& options, const MapperDrawing& mappers)
+  const PipelineOptions& options, const MapperDrawing& mappers, bool own)
 {
   const LightFrame& frame = this->Frames[layer];
   StageTimers::Scope timer(this->Timers, "light pass");
   StateGuard::PrepareDepthDrawing(this->Can.DepthClamp);
-  if (!this->Layers.BindTarget(layer))
+  if (own && !this->Layers.BindTarget(layer))
   {
     return;
   }
-  if (this->OwnDrawing)
+  if (own && this->OwnDrawing)
   {
     this->Casters.StartLayer(layer);
     this->Casters.Draw(this->Store, this->Table, frame, layer, options.Casters);

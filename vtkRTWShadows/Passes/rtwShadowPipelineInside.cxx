@@ -22,12 +22,25 @@ bool ShadowPipeline::PaintDebugView(DebugView view, int light, const PipelineOpt
     this->GetMask(options, mapperSamples);
   }
   StateGuard guard(this->Window);
+  if (view == DebugView::ListLengths)
+  {
+    return this->PaintLists(light, options);
+  }
   if ((view == DebugView::Shadow && !this->HasMask) || !this->Debugging.Build(this->GetShape()))
   {
     return false;
   }
   this->Debugging.Paint(view, this->MapOf(light), this->Masking.GetMask(), 2e-6 * this->SceneSize);
   return true;
+}
+
+// False where there are none.
+bool ShadowPipeline::PaintLists(int light, const PipelineOptions& options)
+{
+  const ReceiverLights lights =
+    ReceiverLights::Make(this->Frames, this->Viewed, options.Lookup, this->SceneSize);
+  return this->UsesSource(options) &&
+    this->Source->PaintLists(this->MakeJob(lights, options), light, 2e-6 * this->SceneSize);
 }
 
 bool ShadowPipeline::MeasureAliasing(
@@ -43,9 +56,9 @@ double ShadowPipeline::PredictError(
   int light, const PipelineOptions& options, const std::function<void()>& mapperSamples)
 {
   const Texture& mask = this->GetMask(options, mapperSamples);
-  if (!this->HasMask)
+  if (!this->HasMask || this->MaskedBySource)
   {
-    return -1;
+    return this->HasMask ? 0 : -1;
   }
   StateGuard guard(this->Window);
   const ReceiverLights lights =

@@ -5,6 +5,7 @@
 #include "rtwAdaptiveShadowMapInternals.h"
 
 #include <algorithm>
+#include <string>
 
 void vtkAdaptiveShadowMapPass::PaintDebugView(vtkRenderer* renderer)
 {
@@ -22,8 +23,10 @@ void vtkAdaptiveShadowMapPass::PaintDebugView(vtkRenderer* renderer)
   if (!painted && !my.WarnedOfDebugShader)
   {
     my.WarnedOfDebugShader = true;
-    vtkWarningMacro(
-      "draws no DebugView, because the driver refused a shader: " << my.Pipeline.GetDebugLog());
+    const std::string log = my.Pipeline.GetDebugLog();
+    vtkWarningMacro("draws no DebugView, because "
+      << (log.empty() ? "there are no lists of view samples" : "the driver refused a shader: ")
+      << log);
   }
 }
 

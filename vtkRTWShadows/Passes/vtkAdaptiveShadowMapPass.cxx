@@ -89,6 +89,23 @@ void vtkAdaptiveShadowMapPass::WarnOnce()
   }
 }
 
+void vtkAdaptiveShadowMapPass::WarnOfMaskSource()
+{
+  Internals& my = *this->Shadows;
+  if (!my.Pipeline.GetSourceProblem().empty() && !my.WarnedOfSource)
+  {
+    my.WarnedOfSource = true;
+    vtkWarningMacro("looks shadows up in maps, because the driver refused a shader: "
+      << my.Pipeline.GetSourceProblem());
+  }
+  if (my.Pipeline.TakeIncomplete() && !my.WarnedOfMemoryBound)
+  {
+    my.WarnedOfMemoryBound = true;
+    vtkWarningMacro("looked the shadows of a frame up in maps, because its tests outgrew their "
+                    "memory bound; later frames have more of it");
+  }
+}
+
 rtw::LookupOptions vtkAdaptiveShadowMapPass::MakeLookupOptions()
 {
   constexpr double MostTexels = 8;
@@ -177,6 +194,7 @@ void vtkAdaptiveShadowMapPass::Bake(const vtkRenderState* s)
       [this, renderer](int layer, const rtw::LightFrame& frame) {
         this->DrawCasters(renderer, layer, frame);
       } });
+  this->WarnOfMaskSource();
 }
 
 void vtkAdaptiveShadowMapPass::DrawCasters(

@@ -39,6 +39,7 @@ namespace rtw
 {
 struct LightFrame;
 struct LookupOptions;
+class MaskSource;
 }
 
 class VTKRTWSHADOWS_EXPORT vtkAdaptiveShadowMapPass : public vtkConfigurableShadowMapPass
@@ -179,6 +180,13 @@ protected:
   vtkAdaptiveShadowMapPass();
   ~vtkAdaptiveShadowMapPass() override;
 
+#ifndef __VTK_WRAP__
+  /**
+   * The storage axis, for subclasses: what fills the mask instead of maps.
+   */
+  void SetMaskSource(std::unique_ptr<rtw::MaskSource> source);
+#endif
+
   int NumberOfShaderBuilds = 0;
   vtkSmartPointer<vtkShadowMapPartition> Partition;
   vtkSmartPointer<vtkShadowMapWarp> Warp;
@@ -193,6 +201,7 @@ private:
   rtw::LookupOptions MakeLookupOptions();
   void Bake(const vtkRenderState* s);
   void WarnOnce();
+  void WarnOfMaskSource();
   void RenderLit(const vtkRenderState* s, vtkRenderPass* delegate);
   void PaintDebugView(vtkRenderer* renderer);
   void DrawCasters(vtkRenderer* renderer, int layer, const rtw::LightFrame& frame);

@@ -10,6 +10,8 @@
 #include "vtkShadowMapPartition.h"
 #include "vtkShadowMapWarp.h"
 
+#include <utility>
+
 void vtkAdaptiveShadowMapPass::SetPartition(vtkShadowMapPartition* partition)
 {
   if (!partition)
@@ -46,6 +48,12 @@ void vtkAdaptiveShadowMapPass::SetWarp(vtkShadowMapWarp* warp)
 vtkShadowMapWarp* vtkAdaptiveShadowMapPass::GetWarp()
 {
   return this->Warp;
+}
+
+void vtkAdaptiveShadowMapPass::SetMaskSource(std::unique_ptr<rtw::MaskSource> source)
+{
+  this->Shadows->Pipeline.SetMaskSource(std::move(source));
+  this->Modified();
 }
 
 int vtkAdaptiveShadowMapPass::GetNumberOfShadowLights()
@@ -139,7 +147,7 @@ vtkImageData* vtkAdaptiveShadowMapPass::GetShadowMask(int light)
 vtkImageData* vtkAdaptiveShadowMapPass::GetShadowMapImage(int light, int layer)
 {
   Internals& my = *this->Shadows;
-  my.MapImage = my.Has(light) && layer == 0 && my.MakeCurrent()
+  my.MapImage = my.Has(light) && layer == 0 && my.Pipeline.HasOwnLayers() && my.MakeCurrent()
     ? rtw::ReadShadowMap(my.Pipeline.GetLayers(), light)
     : nullptr;
   return my.MapImage;

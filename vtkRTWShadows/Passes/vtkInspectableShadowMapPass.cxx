@@ -6,12 +6,12 @@ vtkInspectableShadowMapPass::~vtkInspectableShadowMapPass() = default;
 
 void vtkInspectableShadowMapPass::SetDebugView(int view)
 {
-  if (view < NONE || view > LAYERS)
+  if (view < NONE || view > LIST_LENGTHS)
   {
     vtkErrorMacro("SetDebugView("
       << view
-      << "): expected NONE (0), SHADOW (1), ALIASING_ERROR (2), IMPORTANCE (3), WARP_GRID (4) or "
-         "LAYERS (5); keeping "
+      << "): expected NONE (0), SHADOW (1), ALIASING_ERROR (2), IMPORTANCE (3), WARP_GRID (4), "
+         "LAYERS (5) or LIST_LENGTHS (6); keeping "
       << this->DebugView);
     return;
   }

@@ -46,7 +46,11 @@ public:
     /// A colour for each layer that is looked up, by its number, light by light: blue, orange,
     /// green, pink, violet, olive, and again. Two, of the light's own casters and of those that
     /// only VTK's mappers draw, share the surface in stripes. Grey beyond the focus.
-    LAYERS = 5
+    LAYERS = 5,
+    /// How many view samples the texel holds on which the pixel falls, of a vtkExactShadowMapPass:
+    /// 1 is black, and every octave on indigo, purple, plum, red (16), orange, amber, yellow and
+    /// cream (256). Others warn once, when it is first drawn, and show the picture.
+    LIST_LENGTHS = 6
   };
 
   ///@{
@@ -65,6 +69,7 @@ public:
   void SetDebugViewToImportance() { this->SetDebugView(IMPORTANCE); }
   void SetDebugViewToWarpGrid() { this->SetDebugView(WARP_GRID); }
   void SetDebugViewToLayers() { this->SetDebugView(LAYERS); }
+  void SetDebugViewToListLengths() { this->SetDebugView(LIST_LENGTHS); }
   ///@}
 
   ///@{
@@ -107,8 +112,8 @@ public:
    * runs, and counts 50 pixels at most. In nine cases of ten the true share is half to one and a
    * half times as large. Any warp, filter and window will do; where no mask was drawn
    * (multisampling, view samples of the previous frame) one is drawn now. 0 where nothing is
-   * shadowed; -1 before the first frame, for a light that there isn't, and where the driver can't.
-   * Waits for the GPU; frames in which nobody asks cost nothing.
+   * shadowed, and where shadows are exact; -1 before the first frame, for a light that there isn't,
+   * and where the driver can't. Waits for the GPU; frames in which nobody asks cost nothing.
    */
   virtual double GetPredictedError(int light) = 0;
 

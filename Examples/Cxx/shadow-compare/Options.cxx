@@ -98,6 +98,12 @@ std::vector<rtw::CommandLineOption> Entries(Options& options)
       [&](const std::string& value) { options.Scale = ReadNumber("--scale", value, 0.01, 100); } },
     { "--pieces", "N", "actors that the mesh is split into; default 1",
       [&](const std::string& value) { options.Pieces = ReadWhole("--pieces", value, 1, 100000); } },
+    { "--sharp-rays", "on|off",
+      "whether exact rays start at the surface itself, not a little off it; default off",
+      [&](const std::string& value) {
+        options.SharpRays =
+          Choose<bool>("--sharp-rays", value, { { "on", true }, { "off", false } });
+      } },
     { "--frames", "N", "that are timed, of each kind; default 10",
       [&](const std::string& value) { options.Frames = ReadWhole("--frames", value, 1, 100000); } },
     { "--filter", "F", "nearest, bilinear, pcf or soft",
@@ -175,6 +181,17 @@ std::vector<rtw::CommandLineOption> Entries(Options& options)
       [&](const std::string& value) {
         settings.TemporalBlending = ReadNumber("--blending", value, 0, 0.99);
       } },
+    { "--grid", "W", "of exact: the warp of its grid, identity, rectilinear or non-orthogonal",
+      [&](const std::string& value) {
+        settings.Grid = Choose<GridWarp>("--grid", value,
+          { { "identity", GridWarp::IDENTITY }, { "rectilinear", GridWarp::RECTILINEAR },
+            { "non-orthogonal", GridWarp::NON_ORTHOGONAL } });
+      } },
+    { "--pixel-samples", "N", "of exact: points of a pixel that are tested, 1, 4 or 8; default 1",
+      [&](const std::string& value) {
+        settings.PixelSamples =
+          Choose<int>("--pixel-samples", value, { { "1", 1 }, { "4", 4 }, { "8", 8 } });
+      } },
     { "--snapping", "on|off", "whether rtw keeps texels in place while the camera moves a little",
       [&](const std::string& value) {
         settings.Snapping = Choose<bool>("--snapping", value, { { "on", true }, { "off", false } });
@@ -203,7 +220,7 @@ std::vector<rtw::CommandLineOption> Entries(Options& options)
       [&](const std::string& value) { options.OutputFolder = value; } },
     { "--debug-view", "V,...",
       "write to --out what maps look like inside: shadow, aliasing, importance,\n"
-      "grid, layers",
+      "grid, layers; of exact lists",
       [&](const std::string& value) { ReadDebugViews(value, options); } },
     { "--json", "FILE", "write the numbers there",
       [&](const std::string& value) { options.JsonFile = value; } },
@@ -218,7 +235,7 @@ rtw::DebugPicture ToDebugPicture(const std::string& name)
   return rtw::Choose<DebugPicture>("--debug-view", name,
     { { "shadow", DebugPicture::SHADOW }, { "aliasing", DebugPicture::ALIASING_ERROR },
       { "importance", DebugPicture::IMPORTANCE }, { "grid", DebugPicture::WARP_GRID },
-      { "layers", DebugPicture::LAYERS } });
+      { "layers", DebugPicture::LAYERS }, { "lists", DebugPicture::LIST_LENGTHS } });
 }
 
 Options ParseOptions(int argc, char* argv[])

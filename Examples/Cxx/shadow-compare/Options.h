@@ -29,6 +29,7 @@ struct Options
   std::optional<ViewOption> Camera;
   int Frames = 10;
   int Pieces = 1;
+  bool SharpRays = false; // as in rtw::ReferenceOptions
   std::string JsonFile;
   std::string OutputFolder;
   std::vector<std::string> DebugViews; // as the command line has them

@@ -75,10 +75,12 @@ void CheckOutputs(const Options& options)
   }
 }
 
-rtw::Truth TraceTruth(vtkRenderer* renderer, const rtw::Scene& scene, size_t& primitives)
+rtw::Truth TraceTruth(
+  vtkRenderer* renderer, const rtw::Scene& scene, bool sharp, size_t& primitives)
 {
   rtw::Progress progress("exact shadows");
   rtw::ReferenceOptions options;
+  options.Sharp = sharp;
   options.Progress = [&progress](double share) { progress.Tell(share); };
   const rtw::ShadowReference reference(renderer, options);
   primitives = reference.NumberOfPrimitives();
@@ -159,7 +161,8 @@ Report Measure(const rtw::Scene& scene, const Options& options)
     }
   }
   Report report{ scene, 0, {}, {}, {} };
-  const rtw::Truth truth = TraceTruth(views[0]->Window.GetRenderer(), scene, report.Primitives);
+  const rtw::Truth truth =
+    TraceTruth(views[0]->Window.GetRenderer(), scene, options.SharpRays, report.Primitives);
   report.Truth = rtw::Compare(truth.Mask, truth);
   if (!options.OutputFolder.empty())
   {

@@ -1,0 +1,115 @@
+// The triangles of a cluster that may shadow any sample, and where the search for those samples starts. In double precision, because the
+// origin of the light plane is the eye, not the mesh.
+layout(local_size_x = 64) in;
+layout(std430, binding = 0) readonly buffer Points
+{
+  float rtwPoints[];
+};
+layout(std430, binding = 1) readonly buffer Indices
+{
+  uint rtwIndices[];
+};
+layout(std430, binding = 2) readonly buffer MeshMatrices
+{
+  dmat4 rtwMeshToPlane[]; // an instance
+};
+layout(std430, binding = 4) readonly buffer Kept
+{
+  uvec4 rtwKept[];
+};
+uniform float rtwNearestW;
+uniform int rtwCasterCapacity;
+
+const uint CASTERS = 72u; // in the queue: how many there are
+
+dvec4 rtwCornerAt(uvec4 cluster, uint index)
+{
+  uint i = 3u * (cluster.z + rtwIndices[cluster.x + index]);
+  return rtwMeshToPlane[cluster.w] * dvec4(rtwPoints[i], rtwPoints[i + 1u], rtwPoints[i + 2u], 1.0);
+}
+
+// The slope of depth, or one too steep to tell anything where the triangle is so thin that rounding decides it.
+vec2 rtwSlopeOf(vec3 a, vec3 b, vec3 c)
+{
+  vec3 ab = b - a;
+  vec3 ac = c - a;
+  vec2 slope = vec2(ab.z * ac.y - ab.y * ac.z, ab.x * ac.z - ab.z * ac.x) / (ab.x * ac.y - ab.y * ac.x);
+  vec2 extent = max(abs(ab.xy), abs(ac.xy));
+  float range = max(max(ab.z, ac.z), 0.0) - min(min(ab.z, ac.z), 0.0);
+  return dot(abs(slope), extent) <= 16.0 * range ? slope : vec2(STEEP);
+}
+
+void rtwAddCaster(dvec4 ha, dvec4 hb, dvec4 hc)
+{
+  vec3 a = vec3(ha.xyz / ha.w);
+  vec3 b = vec3(hb.xyz / hb.w);
+  vec3 c = vec3(hc.xyz / hc.w);
+  vec2 slope = rtwSlopeOf(a, b, c);
+  ExactCaster t = ExactCaster(vec4(a, slope.x), vec4(b, slope.y), vec4(c, min(min(a.z, b.z), c.z)));
+  GridStart start = rtwStartOf(min(min(a.xy, b.xy), c.xy), max(max(a.xy, b.xy), c.xy));
+  uint caster = 0xffffffffu;
+  for (uint y = start.first.y; y <= start.last.y; ++y)
+  {
+    for (uint x = start.first.x; x <= start.last.x; ++x)
+    {
+      uint node = rtwStartNode(start, x, y);
+      if (rtwNodes[node].count == 0u || !rtwMeets(t, rtwNodes[node]))
+      {
+        continue;
+      }
+      if (caster == 0xffffffffu)
+      {
+        caster = atomicAdd(rtwQueue[CASTERS], 1u);
+        if (caster >= uint(rtwCasterCapacity))
+        {
+          rtwQueue[OVERFLOW] = 1u;
+          return;
+        }
+        rtwExactCasters[caster] = t;
+      }
+      rtwPushNode(0u, caster, node, uint(start.level));
+    }
+  }
+}
+
+// The part of a triangle that isn't beside or behind a lamp.
+void rtwAddClipped(dvec4 h[3])
+{
+  dvec4 kept[4];
+  int n = 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    dvec4 a = h[i];
+    dvec4 b = h[(i + 1) % 3];
+    if (a.w >= rtwNearestW)
+    {
+      kept[n++] = a;
+    }
+    if ((a.w < rtwNearestW) != (b.w < rtwNearestW))
+    {
+      kept[n] = mix(a, b, (double(rtwNearestW) - a.w) / (b.w - a.w));
+      kept[n++].w = rtwNearestW;
+    }
+  }
+  for (int i = 2; i < n; ++i)
+  {
+    rtwAddCaster(kept[0], kept[i - 1], kept[i]);
+  }
+}
+
+void main()
+{
+  uvec4 cluster = rtwKept[gl_WorkGroupID.x];
+  for (uint i = 3u * gl_LocalInvocationID.x; i < cluster.y; i += 3u * gl_WorkGroupSize.x)
+  {
+    dvec4 h[3] = dvec4[3](rtwCornerAt(cluster, i), rtwCornerAt(cluster, i + 1u), rtwCornerAt(cluster, i + 2u));
+    if (min(min(h[0].w, h[1].w), h[2].w) >= rtwNearestW)
+    {
+      rtwAddCaster(h[0], h[1], h[2]);
+    }
+    else
+    {
+      rtwAddClipped(h);
+    }
+  }
+}

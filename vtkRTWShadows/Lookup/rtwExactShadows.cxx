@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rtwExactShadows.h"
+
+#include "rtwDebugColours.h"
+#include "rtwDenseLayers.h"
+#include "rtwExactFailedFS.h"
+#include "rtwExactListsFS.h"
+#include "rtwExactMaskFS.h"
+#include "rtwExactQueue.h"
+#include "rtwExactState.h"
+#include "rtwFrameScene.h"
+#include "rtwLightUniforms.h"
+#include "rtwMaskStage.h"
+#include "rtwMaskValue.h"
+#include "rtwOpenGL.h"
+#include "rtwSampleDepth.h"
+#include "rtwSampleGridAccess.h"
+#include "rtwScreenVS.h"
+#include "rtwStageTimers.h"
+#include "rtwViewSampleAccess.h"
+#include "rtwViewSampler.h"
+#include "rtwWarpFocus.h"
+
+namespace rtw
+{
+namespace
+{
+constexpr std::size_t ItemBytes = 3 * 8; // of all parts of the queue
+}
+
+bool ExactShadows::Build(const MaskJob& job)
+{
+  ReceiverShape one = job.Shape; // each light is drawn by itself, and its own layer isn't looked at
+  one.Switched = { 0 };
+  one.OtherLayers = false;
+  if (!(one == this->Shape))
+  {
+    this->Resolving.Release();
+    this->Painting.Release();
+    this->Shape = one;
+  }
+  const std::string definitions = DefinitionsOf(one), lookup = LookupCode(one);
+  return this->Grid.Build(one.Warp, job.Access) && this->Casting.Build(one.Warp, job.Access) &&
+    this->Resolving.Build({ { GL_VERTEX_SHADER, { rtwScreenVS } },
+      { GL_FRAGMENT_SHADER,
+        { WarpTable::DefinitionOf(TableAccess::Texels), definitions.c_str(), rtwWarpFocus,
+          one.Warp.Function, lookup.c_str(), rtwViewSampleAccess, rtwMaskValue, rtwExactState,
+          rtwExactMaskFS } } }) &&
+    this->Failing.Build({ { GL_VERTEX_SHADER, { rtwScreenVS } },
+      { GL_FRAGMENT_SHADER, { rtwExactQueue, rtwExactFailedFS } } });
+}
+
+std::string ExactShadows::GetLog() const
+{
+  return this->Grid.GetLog() + this->Casting.GetLog() + this->Resolving.GetLog() +
+    this->Failing.GetLog() + this->Painting.GetLog();
+}
+
+bool ExactShadows::Render(const MaskJob& job, MaskStage& masking, StageTimers& timers)
+{
+  const int lights = static_cast<int>(job.Frames.size());
+  masking.Allocate(job.Samples, lights);
+  this->Lengths.clear();
+  this->Casting.StartFrame(lights);
+  for (int light = 0; light < lights; ++light)
+  {
+    const LightFrame& frame = job.Frames[light];
+    {
+      StageTimers::Scope timer(timers, "sample lists");
+      this->Grid.Fill({ job.Samples, job.Table, frame, light, job.SceneSize, this->SamplesAPixel });
+    }
+    if (this->KeepsLengths)
+    {
+      this->Lengths.push_back(this->Grid.ReadLengths());
+    }
+    {
+      StageTimers::Scope timer(timers, "exact test");
+      this->Casting.Cast(
+        { job.Store, job.Table, frame, job.Viewed, light, job.SceneSize, job.Cull }, this->Grid);
+    }
+    StageTimers::Scope timer(timers, "mask");
+    if (!masking.BindTarget(light))
+    {
+      return false;
+    }
+    this->Resolve(job, light);
+  }
+  this->Casting.FinishFrame();
+  return masking.BindTarget(0);
+}
+
+void ExactShadows::Resolve(const MaskJob& job, int light)
+{
+  this->Resolving.Use();
+  this->Grid.BindStates();
+  this->Resolving.Set("rtwSamplesAPixel", this->SamplesAPixel);
+  this->Resolving.Set("rtwHasMap", job.OtherLayers > 0 ? 1 : 0);
+  job.Samples.Bind(this->Resolving);
+  MaskStage::SetLookup(
+    this->Resolving, { job.Lights, 0, job.Layers, job.Table }, light, light + job.OtherLayers);
+  this->Triangle.Draw();
+  MaskStage::UnbindMaps(job.Layers);
+  // The next light's samples take the place of these.
+  ShowWhatWasWritten();
+}
+
+bool ExactShadows::PaintLists(const MaskJob& job, int light, double rounding)
+{
+  if (!this->Painting.Build({ { GL_VERTEX_SHADER, { rtwScreenVS } },
+        { GL_FRAGMENT_SHADER,
+          { rtwWarpFocus, this->Shape.Warp.Function, rtwViewSampleAccess, rtwSampleDepth,
+            rtwSampleGridAccess, rtwDebugColours, rtwExactListsFS } } }))
+  {
+    return false;
+  }
+  const LightFrame& frame = job.Frames[light];
+  // It holds the last light's samples.
+  this->Grid.Fill({ job.Samples, job.Table, frame, light, job.SceneSize, 1 });
+  this->Painting.Use();
+  job.Samples.Bind(this->Painting);
+  job.Samples.BindDepth(this->Painting, -rounding);
+  job.Table.Bind(this->Painting);
+  this->Grid.Bind(this->Painting);
+  BindLight(this->Painting, frame, job.Viewed, 1);
+  this->Painting.Set("rtwLayer", light);
+  this->Triangle.DrawOver();
+  ShowWhatWasWritten();
+  return true;
+}
+
+void ExactShadows::WhereIncomplete(const std::function<void()>& draw)
+{
+  this->Incomplete.Decide([this] {
+    glViewport(0, 0, 1, 1);
+    this->Failing.Use();
+    this->Casting.BindQueue();
+    this->Triangle.Draw();
+  });
+  this->Incomplete.Draw(draw);
+}
+
+bool ExactShadows::WasIncomplete()
+{
+  if (!this->Casting.HasOverflowed())
+  {
+    return false;
+  }
+  this->Casting.SetCapacity(2 * this->Casting.GetCapacity());
+  return true;
+}
+
+void ExactShadows::SetMemoryBound(std::size_t bytes)
+{
+  this->Casting.SetCapacity(bytes / ItemBytes);
+}
+
+std::size_t ExactShadows::GetMemoryBound() const
+{
+  return this->Casting.GetCapacity() * ItemBytes;
+}
+
+std::uint64_t ExactShadows::GetSignature() const
+{
+  return Mix(Mix(std::uint64_t(1), std::uint64_t(this->SamplesAPixel)),
+    std::uint64_t(this->Casting.GetCapacity()));
+}
+
+std::size_t ExactShadows::GetMemory() const
+{
+  return this->Grid.GetMemory() + this->Casting.GetMemory();
+}
+
+void ExactShadows::Release()
+{
+  this->Grid.Release();
+  this->Casting.Release();
+  this->Resolving.Release();
+  this->Failing.Release();
+  this->Painting.Release();
+  this->Incomplete.Release();
+  this->Triangle.Release();
+}
+
+void ExactShadows::Abandon()
+{
+  this->Grid.Abandon();
+  this->Casting.Abandon();
+  this->Resolving.Abandon();
+  this->Failing.Abandon();
+  this->Painting.Abandon();
+  this->Incomplete.Abandon();
+  this->Triangle.Abandon();
+}
+}

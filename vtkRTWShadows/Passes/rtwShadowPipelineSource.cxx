@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How a frame's mask comes from elsewhere than the maps.
+#include "rtwShadowPipeline.h"
+
+#include "rtwStateGuard.h"
+
+namespace rtw
+{
+bool ShadowPipeline::UsesSource(const PipelineOptions& options) const
+{
+  return this->Source && this->OwnDrawing && options.Masked && this->HasSamples;
+}
+
+MaskJob ShadowPipeline::MakeJob(const ReceiverLights& lights, const PipelineOptions& options) const
+{
+  return { this->Frames, this->Viewed, this->Sampler, this->Store, this->Table, this->Layers,
+    lights, options.Shape, this->HasUniformTable() ? TableAccess::Uniforms : TableAccess::Storage,
+    this->OtherLayers, this->SceneSize, options.Casters.Cull };
+}
+
+// False where the driver can't.
+bool ShadowPipeline::DrawMaskBySource(StateGuard& guard, const FrameScene& scene,
+  const PipelineOptions& options, const MapperDrawing& mappers)
+{
+  const ReceiverLights lights =
+    ReceiverLights::Make(this->Frames, this->Viewed, options.Lookup, this->SceneSize);
+  const MaskJob job = this->MakeJob(lights, options);
+  const bool built = this->Source->Build(job);
+  this->SourceProblem = built ? std::string() : this->Source->GetLog();
+  this->HasMask = this->MaskedBySource =
+    built && this->Source->Render(job, this->Masking, this->Timers);
+  this->Masked = this->Viewed;
+  if (this->HasMask)
+  {
+    this->Source->WhereIncomplete([&] {
+      if (!this->HasMaps)
+      {
+        this->DrawLayers(guard, scene, options, mappers, true);
+      }
+      this->DrawMask(options);
+      this->MaskedBySource = true;
+    });
+  }
+  return this->HasMask;
+}
+}

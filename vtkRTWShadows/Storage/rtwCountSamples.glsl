@@ -1,0 +1,79 @@
+// What each pixel shows, as the light sees it, and how many samples fall on each texel.
+//
+// Depth is signed distance along a directional light, from the eye, and -1/w under a spot, w being the distance along its axis: both linear
+// over a plane, and as precise as floats are where the eye is, or the lamp. A sample is put nearer to the light by as much as roundings
+// can be, so that the triangle that it lies on, and that one's neighbours at their common edge, are not in front of it.
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(std430, binding = 0) writeonly buffer Found
+{
+  vec4 rtwFound[]; // a sample: light-plane coordinates and depth, and its normal
+};
+layout(std430, binding = 1) writeonly buffer Places
+{
+  uvec2 rtwPlaces[]; // its texel, and its place among that one's samples; NOWHERE where it faces no light
+};
+layout(std430, binding = 2) writeonly buffer States
+{
+  uint rtwStates[]; // a pixel
+};
+uniform int rtwLayer;
+uniform mat4 rtwViewToPlane; // to (l · w, depth · w, w)
+uniform vec4 rtwCone;        // a spot's: centre, tangent; tangent 0 for a directional light
+uniform vec3 rtwTolerance;   // lengths: along the light; across it, and there a share of the distance from the eye
+uniform int rtwSamplesAPixel;
+uniform vec2 rtwOffsets[8]; // of a pixel's samples from its centre, in pixels
+
+const uint NOWHERE = 0xffffffffu;
+
+vec4 rtwOnPlane(vec3 p)
+{
+  vec4 h = rtwViewToPlane * vec4(p, 1.0);
+  return vec4(h.xyz / h.w, h.w);
+}
+
+// On the tangent plane of the pixel's surface.
+vec3 rtwPositionOf(ivec2 pixel, vec2 offset)
+{
+  vec4 s = texelFetch(rtwSamples, pixel, 0);
+  float a = s.x + dot(s.yz, offset);
+  a = rtwParallelView.x != 0.0 ? a : max(a, 0.01 * s.x);
+  return rtwViewPosition((vec2(pixel) + 0.5 + offset) * 2.0 / vec2(textureSize(rtwSamples, 0)) - 1.0, a);
+}
+
+void main()
+{
+  ivec2 size = textureSize(rtwSamples, 0);
+  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  if (any(greaterThanEqual(pixel, size)))
+  {
+    return;
+  }
+  int sub = int(gl_GlobalInvocationID.z);
+  uint place = uint((pixel.y * size.x + pixel.x) * rtwSamplesAPixel + sub);
+  SampledPlane plane = rtwLoadPlane(pixel);
+  vec4 here = rtwOnPlane(plane.here);
+  vec3 dx = rtwOnPlane(plane.right).xyz - here.xyz;
+  vec3 dy = rtwOnPlane(plane.above).xyz - here.xyz;
+  float area = dx.x * dy.y - dx.y * dy.x;
+  // As in the lookup: a surface that faces both viewer and light is seen the other way round from the light plane's back.
+  bool faces = plane.seen && area < 0.0 && here.w > 0.0 && (rtwCone.z == 0.0 || distance(here.xy, rtwCone.xy) <= rtwCone.z);
+  vec2 gradient = vec2(dx.z * dy.y - dy.z * dx.y, dx.x * dy.z - dy.x * dx.z) / area;
+  if (sub == 0)
+  {
+    rtwStates[pixel.y * size.x + pixel.x] = faces ? STATE_FACES : 0u;
+  }
+  if (!faces)
+  {
+    rtwPlaces[place] = uvec2(NOWHERE);
+    return;
+  }
+  vec3 position = rtwPositionOf(pixel, rtwOffsets[sub]);
+  vec4 l = rtwSamplesAPixel == 1 ? here : rtwOnPlane(position);
+  float across = (rtwTolerance.y + rtwTolerance.z * length(position)) / l.w;
+  across *= rtwCone.z == 0.0 ? 1.0 : 1.0 + distance(l.xy, rtwCone.xy);
+  float depth = l.z - rtwTolerance.x / (l.w * l.w) - across * (abs(gradient.x) + abs(gradient.y));
+  vec2 onMap = rtwWarp(rtwLayer, rtwFocused(rtwFocus(rtwLayer), l.xy));
+  uint texel = rtwTexelAt(onMap);
+  rtwFound[place] = vec4(l.xy, depth, rtwPackNormal(normalize(vec3(-gradient * l.w, 1.0))));
+  rtwPlaces[place] = uvec2(texel, atomicAdd(rtwNodes[texel].count, 1u));
+}
