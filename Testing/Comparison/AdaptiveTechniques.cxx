@@ -4,6 +4,8 @@
 #include "rtwCompare.h"
 #include "rtwMapTexels.h"
 
+#include <vtkCamera.h>
+#include <vtkCascadedShadowMapPass.h>
 #include <vtkExactShadowMapPass.h>
 #include <vtkIdentityShadowMapWarp.h>
 #include <vtkImageData.h>
@@ -14,6 +16,9 @@
 #include <vtkRenderer.h>
 #include <vtkRTWShadowMapPass.h>
 #include <vtkUniformShadowMapPass.h>
+
+#include <glm/glm.hpp>
+#include <glm/gtc/type_ptr.hpp>
 
 namespace rtw
 {
@@ -60,6 +65,8 @@ static_assert(
     static_cast<int>(LightPlaneTurn::MINIMAL_FRUSTUM) ==
       vtkRTWShadowMapPass::TURN_MINIMAL_FRUSTUM &&
     static_cast<int>(Perspective::UNWARPED) == vtkPerspectiveShadowMapPass::UNWARPED &&
+    static_cast<int>(Splits::SAMPLE_DISTRIBUTION) ==
+      vtkCascadedShadowMapPass::SAMPLE_DISTRIBUTION &&
     static_cast<int>(SampleSource::PREVIOUS_FRAME) == vtkRTWShadowMapPass::PREVIOUS_FRAME &&
     static_cast<int>(DebugPicture::LIST_LENGTHS) == vtkRTWShadowMapPass::LIST_LENGTHS,
   "one order");
@@ -190,7 +197,37 @@ std::vector<unsigned char> AdaptiveTechnique::MakeMask()
 
 TexelFunction AdaptiveTechnique::GetTexels()
 {
-  return TexelsOf(this->Shadows, 0);
+  const int layers = this->Shadows->GetNumberOfLightLayers(0);
+  auto* cascades = vtkCascadedShadowMapPass::SafeDownCast(this->Shadows);
+  if (cascades && cascades->GetSplitFaces())
+  {
+    return {}; // depths alone don't tell the layer
+  }
+  if (layers <= 1)
+  {
+    return TexelsOf(this->Shadows, 0);
+  }
+  std::vector<TexelFunction> functions;
+  std::vector<double> begins;
+  for (int layer = 0; layer < layers; ++layer)
+  {
+    double range[2];
+    this->Shadows->GetLayerDepthRange(0, layer, range);
+    begins.push_back(range[0]);
+    functions.push_back(TexelsOf(this->Shadows, 0, layer));
+  }
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  const glm::dvec3 eye = glm::make_vec3(camera->GetPosition());
+  const glm::dvec3 forward = glm::make_vec3(camera->GetDirectionOfProjection());
+  return [=](const glm::dvec3& world) {
+    const double depth = glm::dot(world - eye, forward);
+    int layer = layers - 1;
+    while (layer > 0 && depth < begins[layer])
+    {
+      --layer;
+    }
+    return functions[layer](world);
+  };
 }
 
 bool AdaptiveTechnique::SetDebugPicture(DebugPicture picture)
@@ -227,24 +264,72 @@ std::unique_ptr<Technique> MakeRTWTechnique(const TechniqueSettings& settings)
   return std::make_unique<AdaptiveTechnique>(pass, settings);
 }
 
-std::unique_ptr<Technique> MakeNoTWTechnique(const TechniqueSettings& settings)
+namespace
 {
-  vtkNew<vtkNoTWShadowMapPass> pass;
+void ConfigureNoTW(vtkNonOrthogonalShadowMapWarp* warp, const TechniqueSettings& settings)
+{
   for (const Importance importance : settings.ImportanceKinds)
   {
     if (importance == Importance::SAMPLE_COUNT)
     {
-      pass->GetNonOrthogonalWarp()->SetWeightsToCount();
+      warp->SetWeightsToCount();
     }
   }
   if (settings.Smoothing)
   {
-    pass->GetNonOrthogonalWarp()->AutomaticSmoothingOff();
-    pass->GetNonOrthogonalWarp()->SetSmoothing(*settings.Smoothing);
+    warp->AutomaticSmoothingOff();
+    warp->SetSmoothing(*settings.Smoothing);
   }
   if (settings.Cells)
   {
-    pass->GetNonOrthogonalWarp()->SetImportanceResolution(*settings.Cells);
+    warp->SetImportanceResolution(*settings.Cells);
+  }
+}
+
+void SetLayerWarp(vtkAdaptiveShadowMapPass* pass, const TechniqueSettings& settings)
+{
+  if (settings.Warping == LayerWarp::RTW)
+  {
+    vtkNew<vtkRectilinearShadowMapWarp> warp;
+    ConfigureImportance(warp, settings);
+    pass->SetWarp(warp);
+  }
+  else if (settings.Warping == LayerWarp::NOTW)
+  {
+    vtkNew<vtkNonOrthogonalShadowMapWarp> warp;
+    ConfigureNoTW(warp, settings);
+    pass->SetWarp(warp);
+  }
+}
+}
+
+std::unique_ptr<Technique> MakeCascadesTechnique(const TechniqueSettings& settings)
+{
+  vtkNew<vtkCascadedShadowMapPass> pass;
+  SetLayerWarp(pass, settings);
+  if (settings.Layers)
+  {
+    pass->SetNumberOfLayers(*settings.Layers);
+  }
+  if (settings.Splitting)
+  {
+    pass->SetSplitScheme(static_cast<int>(*settings.Splitting));
+  }
+  if (settings.Lambda)
+  {
+    pass->SetLambda(*settings.Lambda);
+  }
+  if (settings.BlendWidth)
+  {
+    pass->SetBlendWidth(*settings.BlendWidth);
+  }
+  if (settings.SplitFaces)
+  {
+    pass->SetSplitFaces(*settings.SplitFaces);
+  }
+  if (settings.Stable)
+  {
+    pass->SetStable(*settings.Stable);
   }
   return std::make_unique<AdaptiveTechnique>(pass, settings);
 }
@@ -287,6 +372,13 @@ std::unique_ptr<Technique> MakeExactTechnique(const TechniqueSettings& settings)
   {
     pass->SetSamplesPerPixel(*settings.PixelSamples);
   }
+  return std::make_unique<AdaptiveTechnique>(pass, settings);
+}
+
+std::unique_ptr<Technique> MakeNoTWTechnique(const TechniqueSettings& settings)
+{
+  vtkNew<vtkNoTWShadowMapPass> pass;
+  ConfigureNoTW(pass->GetNonOrthogonalWarp(), settings);
   return std::make_unique<AdaptiveTechnique>(pass, settings);
 }
 }

@@ -35,6 +35,21 @@ const Names<LightPlaneTurn>& LightPlaneTurnNames()
   return names;
 }
 
+const Names<Splits>& SplitsNames()
+{
+  static const Names<Splits> names = { { "uniform", Splits::UNIFORM },
+    { "logarithmic", Splits::LOGARITHMIC }, { "practical", Splits::PRACTICAL },
+    { "sample-distribution", Splits::SAMPLE_DISTRIBUTION } };
+  return names;
+}
+
+const Names<LayerWarp>& LayerWarpNames()
+{
+  static const Names<LayerWarp> names = { { "identity", LayerWarp::IDENTITY },
+    { "rtw", LayerWarp::RTW }, { "notw", LayerWarp::NOTW } };
+  return names;
+}
+
 const Names<DepthTest>& DepthTestNames()
 {
   static const Names<DepthTest> names = { { "dual", DepthTest::DUAL },

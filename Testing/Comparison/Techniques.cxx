@@ -23,6 +23,7 @@ const Entry ENTRIES[] = {
   { "perspective", "vtkPerspectiveShadowMapPass, LiSPSM or as --perspective says",
     MakePerspectiveTechnique },
   { "exact", "vtkExactShadowMapPass, exact hard shadows", MakeExactTechnique },
+  { "cascades", "vtkCascadedShadowMapPass, layers by depth", MakeCascadesTechnique },
 };
 
 const Entry& Find(const std::string& name)

@@ -77,6 +77,23 @@ enum class Perspective
   UNWARPED
 };
 
+/// Of cascades.
+enum class Splits
+{
+  UNIFORM,
+  LOGARITHMIC,
+  PRACTICAL,
+  SAMPLE_DISTRIBUTION
+};
+
+/// Of each layer of cascades.
+enum class LayerWarp
+{
+  IDENTITY,
+  RTW,
+  NOTW
+};
+
 enum class SampleSource
 {
   PREPASS,
@@ -134,6 +151,13 @@ struct TechniqueSettings
   std::optional<double> FocusPoint;
   std::optional<GridWarp> Grid;
   std::optional<int> PixelSamples;               // 1, 4 or 8
+  std::optional<int> Layers;
+  std::optional<Splits> Splitting;
+  std::optional<double> Lambda;
+  std::optional<double> BlendWidth;
+  std::optional<LayerWarp> Warping;
+  std::optional<bool> Stable;
+  std::optional<bool> SplitFaces;
   bool Stages = false;                           // whether to time the stages on the GPU
 };
 
@@ -198,6 +222,7 @@ std::unique_ptr<Technique> MakeRTWTechnique(const TechniqueSettings& settings);
 std::unique_ptr<Technique> MakeNoTWTechnique(const TechniqueSettings& settings);
 std::unique_ptr<Technique> MakePerspectiveTechnique(const TechniqueSettings& settings);
 std::unique_ptr<Technique> MakeExactTechnique(const TechniqueSettings& settings);
+std::unique_ptr<Technique> MakeCascadesTechnique(const TechniqueSettings& settings);
 }
 
 #endif

@@ -18,6 +18,8 @@ const Names<Filter>& FilterNames();
 const Names<Rasterization>& RasterizationNames();
 const Names<SampleSource>& SampleSourceNames();
 const Names<LightPlaneTurn>& LightPlaneTurnNames();
+const Names<Splits>& SplitsNames();
+const Names<LayerWarp>& LayerWarpNames();
 const Names<DepthTest>& DepthTestNames();
 const Names<Perspective>& PerspectiveNames();
 const Names<Analysis>& AnalysisNames();

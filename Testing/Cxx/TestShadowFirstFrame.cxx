@@ -21,7 +21,8 @@ void TestOneFrame(const Named& technique, rtwChain chain, bool spot)
   vtkLight* light = spot ? stage.AddSpot(3, 7, 2, 40) : stage.AddSun(3, 5, 2);
   stage.Render();
   RTW_CHECK_EQUAL(stage.Pass->GetNumberOfShadowLights(), 1);
-  RTW_CHECK_EQUAL(stage.Pass->GetNumberOfLayersDrawn(), 1);
+  RTW_CHECK_EQUAL(
+    stage.Pass->GetNumberOfLayersDrawn(), technique.Technique == rtwTechnique::Cascades ? 4 : 1);
   RTW_CHECK_SHADOWS(stage, light, 0);
   RTW_CHECK_PICTURE(stage);
 }
@@ -43,7 +44,7 @@ int TestShadowFirstFrame(int, char*[])
   for (const Named& technique : { Named{ rtwTechnique::Unfocused, "unfocused" },
          Named{ rtwTechnique::Uniform, "uniform" }, Named{ rtwTechnique::RTW, "rtw" },
          Named{ rtwTechnique::NoTW, "notw" }, Named{ rtwTechnique::Perspective, "perspective" },
-         Named{ rtwTechnique::Exact, "exact" } })
+         Named{ rtwTechnique::Exact, "exact" }, Named{ rtwTechnique::Cascades, "cascades" } })
   {
     TestOneFrame(technique, rtwChain::Steps, false);
     TestOneFrame(technique, rtwChain::Classic, true);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rtwShadowStage.h"
 
+#include "vtkCascadedShadowMapPass.h"
 #include "vtkExactShadowMapPass.h"
 #include "vtkNoTWShadowMapPass.h"
 #include "vtkPerspectiveShadowMapPass.h"
@@ -124,6 +125,10 @@ vtkSmartPointer<vtkAdaptiveShadowMapPass> rtwMakePass(rtwTechnique technique)
   if (technique == rtwTechnique::Exact)
   {
     return vtkSmartPointer<vtkExactShadowMapPass>::New();
+  }
+  if (technique == rtwTechnique::Cascades)
+  {
+    return vtkSmartPointer<vtkCascadedShadowMapPass>::New();
   }
   auto pass = vtkSmartPointer<vtkUniformShadowMapPass>::New();
   pass->SetFocusOnView(technique == rtwTechnique::Uniform);

@@ -37,7 +37,8 @@ enum class rtwTechnique
   RTW,
   NoTW,
   Perspective,
-  Exact
+  Exact,
+  Cascades
 };
 
 enum class rtwChain

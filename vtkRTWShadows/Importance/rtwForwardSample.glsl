@@ -42,6 +42,6 @@ LitSample rtwLoadTexel(ivec2 texel, vec4 focus)
   s.area = side.x * side.y / (pixels * focus.y * focus.w);
   s.pixels = pixels;
   bool inView = clip.w > 0.0 && all(lessThanEqual(abs(clip.xyz), vec3(clip.w)));
-  s.used = depth < 1.0 && inView && turn < 0.0 && rtwReached(s.onLight);
+  s.used = depth < 1.0 && inView && turn < 0.0 && rtwReached(s.onLight) && rtwIsOfLayer(here);
   return s;
 }

@@ -12,10 +12,12 @@
 #include "rtwEdgesOfMask.h"
 #include "rtwForwardSample.h"
 #include "rtwImportance.h"
+#include "rtwLayerInterval.h"
 #include "rtwLightImage.h"
 #include "rtwLightUniforms.h"
 #include "rtwLitSample.h"
 #include "rtwOpenGL.h"
+#include "rtwSampleOfLayer.h"
 #include "rtwSamplePlace.h"
 #include "rtwTexture.h"
 #include "rtwUserFunction.h"
@@ -122,11 +124,10 @@ bool ImportanceStage::Compile(const Shape& shape, Program& program)
     : shape.At == Edges::OfImage                    ? rtwEdgesOfImage
                                                     : rtwEdgesOfMask;
   return program.Build({ { GL_COMPUTE_SHADER,
-    { definitions.c_str(), rtwWarpFocus, rtwViewSampleAccess, rtwLitSample,
-      image ? rtwLightImage : "", rtwUserFunction, body.c_str(), rtwImportance,
-      shape.Forward ? "" : rtwSamplePlace,
-      shape.Forward ? rtwForwardSample : rtwBackwardSample, edges,
-      shape.Forward ? rtwCollectImage : rtwCollectView } } });
+    { definitions.c_str(), rtwWarpFocus, rtwLayerInterval, rtwViewSampleAccess, rtwLitSample,
+      rtwSampleOfLayer, image ? rtwLightImage : "", rtwUserFunction, body.c_str(), rtwImportance,
+      shape.Forward ? "" : rtwSamplePlace, shape.Forward ? rtwForwardSample : rtwBackwardSample,
+      edges, shape.Forward ? rtwCollectImage : rtwCollectView } } });
 }
 
 bool ImportanceStage::Build()
@@ -214,7 +215,7 @@ void ImportanceStage::SetLayer(const LightFrame& frame, int layer,
   program.Set("rtwEdgeDepth", edge.x, edge.y, edge.z);
   program.Set("rtwLayer", layer);
   program.Set("rtwImageLayer", layer);
-  program.Set("rtwMaskLayer", layer);
+  program.Set("rtwMaskLayer", frame.Number());
 }
 
 void ImportanceStage::Analyse(const std::vector<LightFrame>& frames,

@@ -16,7 +16,8 @@ LitSample rtwLoadPixel(ivec2 pixel)
   s.area = abs(turn);
   s.pixels = 1.0;
   // A surface that faces both viewer and light is seen the other way round from the light plane's back.
-  s.used = plane.seen && turn < 0.0 && here.z > 0.0 && rtwReached(s.onLight);
+  s.used = plane.seen && turn < 0.0 && here.z > 0.0 && rtwReached(s.onLight) &&
+    rtwIsOfLayer(plane.here);
   return s;
 }
 

@@ -3,12 +3,17 @@
 
 #include "rtwBackwardSample.h"
 #include "rtwDrawing.h"
+#include "rtwFocusBounds.h"
+#include "rtwFocusBoxes.h"
 #include "rtwFocusReduction.h"
 #include "rtwFocusWrite.h"
+#include "rtwLayerInterval.h"
 #include "rtwLightUniforms.h"
 #include "rtwLitSample.h"
 #include "rtwOpenGL.h"
+#include "rtwOrdered.h"
 #include "rtwPlacedOnPlane.h"
+#include "rtwSampleOfLayer.h"
 #include "rtwSamplePlace.h"
 #include "rtwViewSampleAccess.h"
 #include "rtwViewSampler.h"
@@ -45,24 +50,56 @@ void SetWholeBounds(const Program& program, const LightFrame& frame)
 bool FocusStage::Build()
 {
   return this->Reduction.Build({ { GL_COMPUTE_SHADER,
-           { rtwViewSampleAccess, rtwSamplePlace, rtwLitSample, rtwBackwardSample, rtwPlacedOnPlane,
-             rtwFocusReduction } } }) &&
-    this->Writing.Build({ { GL_COMPUTE_SHADER, { rtwWarpFocus, rtwFocusWrite } } });
+           { rtwWarpFocus, rtwLayerInterval, rtwViewSampleAccess, rtwSamplePlace, rtwLitSample,
+             rtwSampleOfLayer, rtwBackwardSample, rtwOrdered, rtwFocusBounds,
+             rtwPlacedOnPlane, rtwFocusReduction } } }) &&
+    this->BoxAdding.Build({ { GL_COMPUTE_SHADER,
+      { rtwWarpFocus, rtwLayerInterval, rtwLitSample, rtwOrdered, rtwFocusBounds,
+        rtwFocusBoxes } } }) &&
+    this->Writing.Build({ { GL_COMPUTE_SHADER, { rtwWarpFocus, rtwOrdered, rtwFocusWrite } } });
 }
 
-const std::string& FocusStage::GetLog() const
+std::string FocusStage::GetLog() const
 {
-  return this->Reduction.IsBuilt() ? this->Writing.GetLog() : this->Reduction.GetLog();
+  return this->Reduction.GetLog() + this->BoxAdding.GetLog() + this->Writing.GetLog();
+}
+
+// In view coordinates: what of them lies in the depths of each layer.
+void FocusStage::AddBoxes(const std::vector<LightFrame>& frames,
+  const std::vector<glm::dvec3>& corners, const View& view, const FilterReach& filter,
+  const WarpTable& table)
+{
+  std::vector<glm::vec4> inView;
+  for (const glm::dvec3& corner : corners)
+  {
+    inView.emplace_back(view.WorldToView * glm::dvec4(corner, 1));
+  }
+  const int edges = 12 * static_cast<int>(corners.size()) / 8;
+  this->Boxes.Assign(inView);
+  this->BoxAdding.Use();
+  table.Bind(this->BoxAdding);
+  this->Bounds.BindStorage(0);
+  this->Boxes.BindStorage(1);
+  this->BoxAdding.Set("rtwNumberOfEdges", edges);
+  this->BoxAdding.Set("rtwFilterWidth", float(filter.World));
+  for (const LightFrame& frame : frames)
+  {
+    BindLight(this->BoxAdding, frame, view, 1);
+    SetWholeBounds(this->BoxAdding, frame);
+    this->BoxAdding.Set("rtwLayer", frame.Layer);
+    Dispatch(Groups(edges, 64));
+  }
 }
 
 void FocusStage::Reduce(const std::vector<LightFrame>& frames, const std::vector<Rectangle>& also,
-  const ViewSampler& samples, int stride, const FilterReach& filter, const WarpTable& table)
+  const std::vector<glm::dvec3>& boxes, const ViewSampler& samples, int stride,
+  const FilterReach& filter, const WarpTable& table)
 {
   std::vector<std::uint32_t> start;
   for (std::size_t layer = 0; layer < frames.size(); ++layer)
   {
     const Rectangle& r = also[layer];
-    const bool any = r.Low.x <= r.High.x;
+    const bool any = r.Low.x <= r.High.x && frames[layer].Parts == 1;
     for (int k = 0; k < 2; ++k)
     {
       start.push_back(any ? Ordered(r.Low[k]) : 0xffffffffu);
@@ -77,6 +114,7 @@ void FocusStage::Reduce(const std::vector<LightFrame>& frames, const std::vector
   this->Bounds.BindStorage(0);
   this->Reduction.Use();
   samples.Bind(this->Reduction);
+  table.Bind(this->Reduction);
   this->Reduction.Set("rtwFilterWidth", float(filter.World));
   const int columns = Groups(Groups(samples.GetWidth(), stride), Tile);
   const int rows = Groups(Groups(samples.GetHeight(), stride), Tile);
@@ -93,12 +131,18 @@ void FocusStage::Reduce(const std::vector<LightFrame>& frames, const std::vector
       Dispatch(columns, rows);
     }
   }
+  if (frames.front().Parts > 1 && !boxes.empty())
+  {
+    this->AddBoxes(frames, boxes, samples.GetView(), filter, table);
+  }
   this->Writing.Use();
   table.Bind(this->Writing);
+  this->Bounds.BindStorage(0);
   table.GetValues().BindStorage(1);
   for (std::size_t layer = 0; layer < frames.size(); ++layer)
   {
     SetWholeBounds(this->Writing, frames[layer]);
+    this->Writing.Set("rtwParts", frames[layer].Parts);
     this->Writing.Set("rtwLayer", static_cast<int>(layer));
     this->Writing.Set("rtwMargin", Margin + float(filter.Share));
     Dispatch(1);
@@ -108,6 +152,8 @@ void FocusStage::Reduce(const std::vector<LightFrame>& frames, const std::vector
 void FocusStage::Release()
 {
   this->Reduction.Release();
+  this->BoxAdding.Release();
+  this->Boxes.Release();
   this->Writing.Release();
   this->Bounds.Release();
   this->Tiles.Release();
@@ -116,6 +162,8 @@ void FocusStage::Release()
 void FocusStage::Abandon()
 {
   this->Reduction.Abandon();
+  this->BoxAdding.Abandon();
+  this->Boxes.Abandon();
   this->Writing.Abandon();
   this->Bounds.Abandon();
   this->Tiles.Abandon();

@@ -7,12 +7,14 @@
 #include "rtwLightFrame.h"
 #include "rtwProgram.h"
 
+#include <string>
 #include <vector>
 
 namespace rtw
 {
 class ViewSampler;
 class WarpTable;
+struct View;
 
 /// How far beyond what the camera sees a filter looks.
 struct FilterReach
@@ -25,16 +27,22 @@ class FocusStage
 {
 public:
   bool Build();
-  const std::string& GetLog() const;
-  /// One frame a layer. `also` are rectangles that each layer must hold too: receivers that aren't sampled.
+  std::string GetLog() const;
+  /// One frame a layer. `also` are rectangles that a light's only layer must hold too: receivers
+  /// that aren't sampled. Of several layers each holds what lies in its depths of their boxes,
+  /// given by eight corners each.
   void Reduce(const std::vector<LightFrame>& frames, const std::vector<Rectangle>& also,
-    const ViewSampler& samples, int stride, const FilterReach& filter, const WarpTable& table);
+    const std::vector<glm::dvec3>& boxes, const ViewSampler& samples, int stride,
+    const FilterReach& filter, const WarpTable& table);
   void Release();
   void Abandon();
 
 private:
-  Program Reduction, Writing;
-  Buffer Bounds, Tiles;
+  void AddBoxes(const std::vector<LightFrame>& frames, const std::vector<glm::dvec3>& corners,
+    const View& view, const FilterReach& filter, const WarpTable& table);
+
+  Program Reduction, BoxAdding, Writing;
+  Buffer Bounds, Tiles, Boxes;
 };
 }
 

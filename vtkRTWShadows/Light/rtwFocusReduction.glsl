@@ -6,39 +6,17 @@
 // wide as a landscape.
 layout(local_size_x = 16, local_size_y = 16) in;
 
-layout(std430, binding = 0) buffer Bounds
-{
-  uint rtwBounds[]; // a layer: low s, low t, high s, high t, in an order that unsigned numbers share; then those of the second pass
-};
 layout(std430, binding = 1) buffer Tiles
 {
   vec4 rtwTiles[]; // what the pixels of a tile might hold
 };
-uniform int rtwClosely;       // whether this is the second pass
-uniform float rtwFilterWidth; // how far in the world a filter looks around a receiver
-uniform vec4 rtwWholeBounds;  // nothing outside of these counts
+uniform int rtwClosely; // whether this is the second pass
 shared vec4 rtwPartial[256];
 
 const vec4 NOTHING = vec4(1e30, 1e30, -1e30, -1e30);
 
-uint rtwOrdered(float x)
-{
-  uint bits = floatBitsToUint(x);
-  return (bits & 0x80000000u) != 0u ? ~bits : bits | 0x80000000u;
-}
-
 vec4 rtwSeen = NOTHING; // by this invocation
 vec4 rtwMaybe = NOTHING;
-
-vec4 rtwUnited(vec4 a, vec4 b)
-{
-  return vec4(min(a.xy, b.xy), max(a.zw, b.zw));
-}
-
-vec4 rtwAround(vec2 centre, vec2 reach)
-{
-  return vec4(centre - reach, centre + reach);
-}
 
 // What the sample's pixels might hold: twice as far as a plane goes, which nears the horizon ever faster.
 vec4 rtwHeldMaybe(LitSample s)
@@ -66,20 +44,6 @@ void rtwReduce(vec4 mine)
     }
     barrier();
   }
-}
-
-vec4 rtwKept(vec4 found)
-{
-  return vec4(max(found.xy, rtwWholeBounds.xy), min(found.zw, rtwWholeBounds.zw));
-}
-
-void rtwAddBounds(vec4 found)
-{
-  int first = 8 * rtwLayer + 4 * rtwClosely;
-  atomicMin(rtwBounds[first], rtwOrdered(found.x));
-  atomicMin(rtwBounds[first + 1], rtwOrdered(found.y));
-  atomicMax(rtwBounds[first + 2], rtwOrdered(found.z));
-  atomicMax(rtwBounds[first + 3], rtwOrdered(found.w));
 }
 
 // True where the samples' bounds hold all of that.
@@ -140,6 +104,6 @@ void main()
   rtwReduce(rtwSeen);
   if (gl_LocalInvocationIndex == 0u && rtwPartial[0].x <= rtwPartial[0].z)
   {
-    rtwAddBounds(rtwKept(rtwPartial[0]));
+    rtwAddBounds(rtwKept(rtwPartial[0]), rtwClosely);
   }
 }

@@ -1,4 +1,5 @@
-// Puts the reduced bounds into the warp table; the light's own bounds where no sample is lit.
+// Puts the reduced bounds into the warp table; where no sample is lit the light's own bounds or, where other layers may have samples, what
+// lies beside those, so that nothing is drawn.
 layout(local_size_x = 1) in;
 layout(std430, binding = 0) buffer Bounds
 {
@@ -11,11 +12,7 @@ layout(std430, binding = 1) writeonly buffer Table
 uniform int rtwLayer;
 uniform vec4 rtwWholeBounds;
 uniform float rtwMargin; // a share of the extent
-
-float rtwUnordered(uint bits)
-{
-  return uintBitsToFloat((bits & 0x80000000u) != 0u ? bits & 0x7fffffffu : ~bits);
-}
+uniform int rtwParts;    // layers that the light has
 
 void main()
 {
@@ -28,7 +25,8 @@ void main()
   }
   vec4 found = vec4(rtwUnordered(ordered.x), rtwUnordered(ordered.y), rtwUnordered(ordered.z), rtwUnordered(ordered.w));
   bool any = ordered.x != 0xffffffffu && all(lessThanEqual(found.xy, found.zw));
-  vec4 bounds = any ? found : rtwWholeBounds;
+  vec4 none = rtwParts == 1 ? rtwWholeBounds : rtwWholeBounds + 2.0 * (rtwWholeBounds.zw - rtwWholeBounds.xy).xyxy;
+  vec4 bounds = any ? found : none;
   vec2 margin = rtwMargin * (bounds.zw - bounds.xy) + 1e-6 * (rtwWholeBounds.zw - rtwWholeBounds.xy);
   vec2 low = bounds.xy - margin;
   vec2 scale = 1.0 / (bounds.zw + margin - low);

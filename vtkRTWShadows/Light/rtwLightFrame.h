@@ -51,6 +51,11 @@ struct LightFrame
   double NearestDistance = 0; ///< along a spot's axis, where depth is 0
   double FarthestDistance = 0; ///< along a spot's axis, where depth is 1
   double DepthRange = 1;    ///< world units of depth at a directional light
+  int Parts = 1;            ///< layers that share the light's samples, one after another
+  int Faces = 1;            ///< of the view frustum that each of its depths is divided among
+  int Layer = 0;            ///< the one that the frame is for
+
+  int Number() const { return this->Layer / this->Parts; } ///< of the light, among all
 
   /// What a world length along the light is in units of depth; for a spot, times w².
   double DepthOfLength() const;

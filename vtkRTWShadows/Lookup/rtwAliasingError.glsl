@@ -10,7 +10,7 @@ mat2 rtwMovesOnMap(int layer, MapSample m, float side)
 // The extent of that ellipse.
 vec2 rtwPixelOnMap(MapSample m, float side)
 {
-  mat2 moves = rtwMovesOnMap(rtwLayer, m, side);
+  mat2 moves = rtwMovesOnMap(m.layer, m, side);
   return vec2(length(vec2(moves[0].x, moves[1].x)), length(vec2(moves[0].y, moves[1].y)));
 }
 

@@ -5,6 +5,7 @@
 #include "rtwAliasingErrorFS.h"
 #include "rtwDebugColours.h"
 #include "rtwDebugViewFS.h"
+#include "rtwLayerInterval.h"
 #include "rtwLightUniforms.h"
 #include "rtwLitSample.h"
 #include "rtwMapSample.h"
@@ -54,7 +55,8 @@ void DebuggedMap::Use(const Program& program) const
   this->Samples.Bind(program);
   this->Table.Bind(program);
   BindLight(program, this->Frame, this->Samples.GetView(), 1);
-  program.Set("rtwLayer", this->Light);
+  program.Set("rtwFirstLayer", this->Frame.Layer);
+  program.Set("rtwMaskLayer", this->Frame.Number());
 }
 
 bool DebugStage::Build(const WarpShape& warp)
@@ -69,15 +71,15 @@ bool DebugStage::Build(const WarpShape& warp)
   return this->Painting.Build(
            { { GL_VERTEX_SHADER, { rtwScreenVS } },
              { GL_FRAGMENT_SHADER,
-               { views.c_str(), rtwWarpFocus, warp.Function, warp.Slope, rtwViewSampleAccess,
-                 rtwSampleDepth, rtwLitSample, rtwMapSample, rtwAliasingError, rtwMaskValue,
-                 rtwDebugColours, rtwDebugViewFS } } },
+               { views.c_str(), rtwWarpFocus, rtwLayerInterval, warp.Function, warp.Slope,
+                 rtwViewSampleAccess, rtwSampleDepth, rtwLitSample, rtwMapSample, rtwAliasingError,
+                 rtwMaskValue, rtwDebugColours, rtwDebugViewFS } } },
            150) &&
     this->Measuring.Build(
       { { GL_VERTEX_SHADER, { rtwScreenVS } },
         { GL_FRAGMENT_SHADER,
-          { rtwWarpFocus, warp.Function, warp.Slope, rtwViewSampleAccess, rtwLitSample,
-            rtwMapSample, rtwAliasingError, rtwAliasingErrorFS } } },
+          { rtwWarpFocus, rtwLayerInterval, warp.Function, warp.Slope, rtwViewSampleAccess,
+            rtwLitSample, rtwMapSample, rtwAliasingError, rtwAliasingErrorFS } } },
       150);
 }
 
@@ -90,7 +92,6 @@ void DebugStage::Paint(DebugView view, const DebuggedMap& map, const Texture& ma
   // Samples of a pixel lie on other surfaces than its centre.
   this->Painting.Set("rtwReach", HasSeveralSamples() ? 1 : 0);
   this->Painting.Set("rtwMask", MaskUnit);
-  this->Painting.Set("rtwMaskLayer", map.Light);
   mask.Bind(MaskUnit);
   this->Triangle.DrawOver();
   mask.Unbind(MaskUnit);

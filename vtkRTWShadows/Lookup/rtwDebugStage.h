@@ -31,9 +31,8 @@ enum class DebugView
 /// The map that is looked at, and from where.
 struct DebuggedMap
 {
-  const LightFrame& Frame;
-  int Light;       ///< its number, which is that of its layer
-  int OtherLayers; ///< how far behind it the layer of its other casters lies; 0 for none
+  const LightFrame& Frame; ///< of its first layer
+  int OtherLayers;         ///< how far behind a layer that of its other casters lies; 0 for none
   const ViewSampler& Samples;
   const WarpTable& Table;
 

@@ -28,14 +28,14 @@ vec3 rtwAliasingColour(MapSample m)
 // Texels a length, in times the mean; of an area it is the square of that.
 vec3 rtwDensityColour(MapSample m)
 {
-  return rtwOnScale(DENSITY, sqrt(abs(determinant(rtwWarpSlope(rtwLayer, m.q)))));
+  return rtwOnScale(DENSITY, sqrt(abs(determinant(rtwWarpSlope(m.layer, m.q)))));
 }
 
 // Two layers that are both looked up share the surface in stripes.
 vec3 rtwLayersColour(ivec2 pixel, MapSample m)
 {
   bool other = rtwOtherLayers > 0 && ((pixel.x + pixel.y) / STRIPE) % 2 == 1;
-  int layer = other ? rtwLayer + rtwOtherLayers : rtwLayer;
+  int layer = other ? m.layer + rtwOtherLayers : m.layer;
   bool isOnMap = all(equal(clamp(m.q, 0.0, 1.0), m.q));
   return isOnMap ? (0.4 + 0.6 * m.facing) * LAYER[layer % 6] : NEITHER;
 }
@@ -43,7 +43,7 @@ vec3 rtwLayersColour(ivec2 pixel, MapSample m)
 // How much of the pixel lines across s and t cover, which are as wide on the screen everywhere; none where they are too dense to tell.
 vec2 rtwLines(MapSample m, float lines, float width)
 {
-  vec2 at = lines * rtwWarp(rtwLayer, m.q);
+  vec2 at = lines * rtwWarp(m.layer, m.q);
   vec2 nearest = floor(at + 0.5);
   vec2 pixel = max(rtwPixelOnMap(m, lines), 1e-30);
   vec2 cover = clamp(0.5 * width + 0.5 - abs(at - nearest) / pixel, 0.0, 1.0);

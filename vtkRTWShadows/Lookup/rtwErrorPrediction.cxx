@@ -2,6 +2,7 @@
 #include "rtwErrorPrediction.h"
 
 #include "rtwAliasingError.h"
+#include "rtwLayerInterval.h"
 #include "rtwLitSample.h"
 #include "rtwMapSample.h"
 #include "rtwOpenGL.h"
@@ -39,8 +40,9 @@ bool ErrorPrediction::Build(const WarpShape& warp)
   return this->Adding.Build(
     { { GL_VERTEX_SHADER, { rtwScreenVS } },
       { GL_FRAGMENT_SHADER,
-        { definitions.c_str(), rtwWarpFocus, warp.Function, warp.Slope, rtwViewSampleAccess,
-          rtwLitSample, rtwMapSample, rtwAliasingError, rtwShadowEdge, rtwPredictedErrorFS } } },
+        { definitions.c_str(), rtwWarpFocus, rtwLayerInterval, warp.Function, warp.Slope,
+          rtwViewSampleAccess, rtwLitSample, rtwMapSample, rtwAliasingError, rtwShadowEdge,
+          rtwPredictedErrorFS } } },
     150);
 }
 

@@ -22,7 +22,7 @@ void main()
     vec4 here = rtwOnLightPlane(0, plane.here);
     vec3 dx = rtwOnLightPlane(0, plane.right).xyz - here.xyz;
     vec3 dy = rtwOnLightPlane(0, plane.above).xyz - here.xyz;
-    float others = rtwVisibility(0, here, dx, dy);
+    float others = rtwVisibility(0, here, dx, dy, plane.here);
     visibility = others == RTW_NOT_LIT ? visibility : min(visibility, others);
   }
   mask = vec4(rtwMaskValue(visibility));

@@ -1,6 +1,6 @@
 // The shadow of one light on one receiver: where it lies on the map, and how much of the light the texels there let through.
 uniform int rtwFirstLayer;  // that the first of these lights has
-uniform int rtwOtherLayers; // how far behind each light's layer that of its other casters lies
+uniform int rtwOtherLayers; // how far behind each layer that of the light's other casters lies
 uniform mat4 rtwToLight[RTW_LIGHTS];   // from view coordinates to (l · w, depth · w, w)
 uniform vec4 rtwCone[RTW_LIGHTS];      // a spot's: centre, tangent; tangent 0 for a directional light
 uniform vec4 rtwTolerance[RTW_LIGHTS]; // of depth: of its format; of a length over w²; of the constant bias over w²; of l over w
@@ -29,20 +29,15 @@ float rtwFiltered(int light, int layer, vec4 focus, rtwReceiver r, float w)
 #endif
 }
 
-// How much of a light reaches a receiver, between 0 and 1, or RTW_NOT_LIT. dx and dy lead to the points of its tangent plane one
-// pixel to the right and one above, on the light plane and in depth.
-float rtwVisibility(int light, vec4 l, vec3 dx, vec3 dy)
+// How much of a light reaches a receiver by the map of a layer.
+float rtwVisibilityOn(int light, int layer, vec4 l, vec3 dx, vec3 dy, float area)
 {
-  float area = dx.x * dy.y - dx.y * dy.x;
-  // A surface that faces both viewer and light is seen the other way round from the light plane's back.
-  vec3 cone = rtwCone[light].xyz;
-  bool faces = area < 0.0 && l.w > 0.0 && (cone.z == 0.0 || distance(l.xy, cone.xy) <= cone.z);
-  float visibility = faces ? 1.0 : RTW_NOT_LIT;
-  int layer = light + rtwFirstLayer;
+  float visibility = 1.0;
   vec4 focus = rtwFocus(layer);
   vec3 q = vec3(rtwFocused(focus, l.xy), l.z);
-  if (faces && all(equal(clamp(q.xy, 0.0, 1.0), q.xy)))
+  if (all(equal(clamp(q.xy, 0.0, 1.0), q.xy)))
   {
+    vec3 cone = rtwCone[light].xyz;
     // Differences on one plane give its gradient whatever their length.
     vec2 gradient = vec2(dx.z * dy.y - dy.z * dx.y, dx.x * dy.z - dy.x * dx.z) / (area * focus.yw);
     vec4 t = rtwTolerance[light];
@@ -58,6 +53,59 @@ float rtwVisibility(int light, vec4 l, vec3 dx, vec3 dy)
     visibility = rtwFiltered(light, layer, focus, r, l.w);
 #if RTW_OTHER_LAYERS
     visibility = min(visibility, rtwFiltered(light, layer + rtwOtherLayers, focus, r, l.w));
+#endif
+  }
+  return visibility;
+}
+
+#if RTW_PARTS > 1
+uniform vec4 rtwBeams[RTW_LIGHTS]; // as rtwFaceAt() has them
+
+bool rtwHolds(int layer, vec2 onLight)
+{
+  vec2 q = rtwFocused(rtwFocus(layer), onLight);
+  return all(equal(clamp(q, 0.0, 1.0), q));
+}
+
+// Beside a seam there is what no view sample knew of, as between samples or those of a pixel: the next layer that holds it will do.
+int rtwLayerThatHolds(int wanted, int first, vec2 onLight)
+{
+  int layer = wanted;
+  for (int away = 1; away < RTW_PARTS && !rtwHolds(layer, onLight); ++away)
+  {
+    int above = min(wanted + away, first + RTW_PARTS - 1);
+    layer = rtwHolds(above, onLight) ? above : max(wanted - away, first);
+  }
+  return layer;
+}
+#endif
+
+// How much of a light reaches a receiver, between 0 and 1, or RTW_NOT_LIT. dx and dy lead to the points of its tangent plane one
+// pixel to the right and one above, on the light plane and in depth; p is the receiver in view coordinates.
+float rtwVisibility(int light, vec4 l, vec3 dx, vec3 dy, vec3 p)
+{
+  float area = dx.x * dy.y - dx.y * dy.x;
+  // A surface that faces both viewer and light is seen the other way round from the light plane's back.
+  vec3 cone = rtwCone[light].xyz;
+  bool faces = area < 0.0 && l.w > 0.0 && (cone.z == 0.0 || distance(l.xy, cone.xy) <= cone.z);
+  float visibility = RTW_NOT_LIT;
+  if (faces)
+  {
+    int first = light * RTW_PARTS + rtwFirstLayer;
+    int layer = first;
+#if RTW_PARTS > 1
+    layer = rtwLayerAt(first, RTW_PARTS, p, rtwBeams[light]);
+    layer = rtwLayerThatHolds(layer, first, l.xy);
+#endif
+    visibility = rtwVisibilityOn(light, layer, l, dx, dy, area);
+#if RTW_PARTS > 1
+    int next = min(layer + rtwFaces, first + RTW_PARTS - 1);
+    vec2 band = vec2(rtwBlendStart(next), rtwIntervalOf(next).x);
+    if (-p.z > band.x && -p.z < band.y)
+    {
+      float other = rtwVisibilityOn(light, next, l, dx, dy, area);
+      visibility = mix(visibility, other, (-p.z - band.x) / (band.y - band.x));
+    }
 #endif
   }
   return visibility;

@@ -1,11 +1,14 @@
 // What a pixel shows, as a point of a light's map: where it lies, and how far that moves from pixel to pixel. By derivatives, because
 // perspective and a spot bend differences to the next pixel.
-uniform int rtwLayer;
+uniform int rtwFirstLayer; // of the light
+uniform int rtwParts;      // its layers
+uniform vec4 rtwBeam;
 
 struct MapSample
 {
   bool seen;     // there is a receiver
   bool lit;      // that faces the light and lies in its reach
+  int layer;     // that it is looked up in
   float facing;  // the surface and the viewer: 1 head on, 0 edge on
   vec2 q;        // on the focus
   mat2 moves;    // what q moves by to the pixel on the right, and to the one above
@@ -31,8 +34,9 @@ MapSample rtwLoadMapSample(ivec2 pixel)
   vec3 normal = normalize(cross(right, above));
   vec4 h = rtwViewToLight * vec4(here, 1.0);
   mat2 moves = mat2(rtwMovesOnLight(h, right), rtwMovesOnLight(h, above));
-  vec4 focus = rtwFocus(rtwLayer);
   MapSample m;
+  m.layer = rtwLayerAt(rtwFirstLayer, rtwParts, here, rtwBeam);
+  vec4 focus = rtwFocus(m.layer);
   m.seen = s.w > 0.0;
   // As in the lookup: seen the other way round from the light plane's back.
   m.lit = m.seen && h.w > 0.0 && determinant(moves) < 0.0 && rtwReached(h.xy / h.w);

@@ -7,6 +7,6 @@ void main()
   vec4 here = rtwOnLightPlane(0, plane.here);
   vec3 dx = rtwOnLightPlane(0, plane.right).xyz - here.xyz;
   vec3 dy = rtwOnLightPlane(0, plane.above).xyz - here.xyz;
-  float visibility = rtwVisibility(0, here, dx, dy);
+  float visibility = rtwVisibility(0, here, dx, dy, plane.here);
   mask = vec4(rtwMaskValue(plane.seen ? visibility : RTW_NOT_LIT));
 }

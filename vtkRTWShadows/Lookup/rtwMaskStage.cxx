@@ -59,10 +59,13 @@ void MaskStage::SetLookup(
   program.Set("rtwGradients", GradientUnit);
   program.Set("rtwOtherLayers", lookup.OtherLayers);
   program.Set("rtwFilterJitter", lights.FilterJitter);
+  program.Set("rtwFaces", lights.Faces);
+  glUniform4fv(program.Location("rtwSides"), 4, &lights.Sides[0].x);
   program.Set("rtwFirstLayer", firstLayer);
   program.SetMatrix("rtwToLight", lights.ToLight.data() + 16 * light);
   glUniform4fv(program.Location("rtwCone"), 1, lights.Cone.data() + 4 * light);
   glUniform4fv(program.Location("rtwTolerance"), 1, lights.Tolerance.data() + 4 * light);
+  glUniform4fv(program.Location("rtwBeams"), 1, lights.Beams.data() + 4 * light);
   glUniform4fv(program.Location("rtwTaps"), 1, lights.Taps.data() + 4 * light);
 }
 
@@ -84,7 +87,7 @@ void MaskStage::Render(const ReceiverLights& lights, int otherLayers, const View
     {
       return;
     }
-    SetLookup(this->Drawing, { lights, otherLayers, layers, table }, light, light);
+    SetLookup(this->Drawing, { lights, otherLayers, layers, table }, light, light * this->Shape.Parts);
     this->Triangle.Draw();
   }
   UnbindMaps(layers);

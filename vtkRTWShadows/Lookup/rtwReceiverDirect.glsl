@@ -5,6 +5,6 @@ uniform float rtwAttenuation[RTW_LIGHTS];
 float rtwFactor(int light, vec3 p)
 {
   vec4 l = rtwOnLightPlane(light, p);
-  float visibility = rtwVisibility(light, l, dFdx(l.xyz), dFdy(l.xyz));
+  float visibility = rtwVisibility(light, l, dFdx(l.xyz), dFdy(l.xyz), p);
   return visibility == RTW_NOT_LIT || rtwReceives == 0 ? 1.0 : mix(1.0, visibility, rtwAttenuation[light]);
 }

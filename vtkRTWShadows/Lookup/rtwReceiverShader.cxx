@@ -4,6 +4,8 @@
 #include "rtwDepthTest.h"
 #include "rtwFilter.h"
 #include "rtwFilterTaps.h"
+#include "rtwLayerInterval.h"
+#include "rtwLightUniforms.h"
 #include "rtwLookup.h"
 #include "rtwMapperOutput.h"
 #include "rtwMapperPhase.h"
@@ -175,7 +177,8 @@ bool ReceiverShape::operator==(const ReceiverShape& other) const
   const bool sameWarp = this->Warp.Name == other.Warp.Name ||
     (this->Warp.Name && other.Warp.Name && !std::strcmp(this->Warp.Name, other.Warp.Name));
   return sameWarp && this->Switched == other.Switched && this->Filter == other.Filter &&
-    this->DepthTest == other.DepthTest && this->OtherLayers == other.OtherLayers;
+    this->DepthTest == other.DepthTest && this->OtherLayers == other.OtherLayers &&
+    this->Parts == other.Parts;
 }
 
 void MarkPlaces(std::string& fragment)
@@ -190,13 +193,15 @@ std::string DefinitionsOf(const ReceiverShape& shape)
 {
   return "#define RTW_LIGHTS " + std::to_string(shape.Switched.size()) + "\n#define RTW_FILTER " +
     std::to_string(shape.Filter) + "\n#define RTW_DEPTH_TEST " + std::to_string(shape.DepthTest) +
-    "\n#define RTW_OTHER_LAYERS " + (shape.OtherLayers ? "1\n" : "0\n");
+    "\n#define RTW_PARTS " + std::to_string(shape.Parts) + "\n#define RTW_OTHER_LAYERS " +
+    (shape.OtherLayers ? "1\n" : "0\n");
 }
 
 std::string LookupCode(const ReceiverShape& shape)
 {
   const bool hasTaps = shape.Filter > 1;
-  return std::string(rtwDepthTest) + rtwFilter + (hasTaps ? rtwFilterTaps : "") + rtwLookup;
+  return std::string(rtwLayerInterval) + rtwDepthTest + rtwFilter + (hasTaps ? rtwFilterTaps : "") +
+    rtwLookup;
 }
 
 void InjectReceiver(
@@ -238,6 +243,7 @@ ReceiverLights ReceiverLights::Make(const std::vector<LightFrame>& frames, const
   ReceiverLights lights;
   lights.FilterJitter = options.FilterJitter ? 1 : 0;
   lights.Count = static_cast<int>(frames.size());
+  lights.Sides = SidesOf(view);
   for (const LightFrame& frame : frames)
   {
     const glm::mat4 toLight(frame.WorldToLight * view.ViewToWorld);
@@ -256,6 +262,9 @@ ReceiverLights ReceiverLights::Make(const std::vector<LightFrame>& frames, const
         frame.Light.Kind == LightKind::Spot ? float(2.5e-7 * size) : 0.f });
     PutTaps(lights.Taps, frame, options, size);
     lights.Attenuation.push_back(float(frame.Light.Attenuation));
+    lights.Faces = frame.Faces;
+    const glm::vec4 beam = BeamOf(frame, view);
+    lights.Beams.insert(lights.Beams.end(), { beam.x, beam.y, beam.z, beam.w });
   }
   return lights;
 }
@@ -306,6 +315,17 @@ void ReceiverUniforms::Set(vtkShaderProgram* program) const
       "rtwCone", n, reinterpret_cast<const float(*)[4]>(this->Lights.Cone.data()));
     program->SetUniform4fv("rtwTolerance", n,
       reinterpret_cast<const float(*)[4]>(this->Lights.Tolerance.data()));
+    if (program->IsUniformUsed("rtwBeams"))
+    {
+      program->SetUniform4fv(
+        "rtwBeams", n, reinterpret_cast<const float(*)[4]>(this->Lights.Beams.data()));
+      program->SetUniform4fv(
+        "rtwSides", 4, reinterpret_cast<const float(*)[4]>(this->Lights.Sides.data()));
+    }
+    if (program->IsUniformUsed("rtwFaces"))
+    {
+      program->SetUniformi("rtwFaces", this->Lights.Faces);
+    }
     if (program->IsUniformUsed("rtwTaps"))
     {
       program->SetUniformi("rtwFilterJitter", this->Lights.FilterJitter);

@@ -7,6 +7,7 @@
 #include "rtwView.h"
 #include "rtwWarpStage.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,7 @@ struct ReceiverShape
   int Filter = 1;
   int DepthTest = 0;
   bool OtherLayers = false; ///< whether some casters have layers of their own
+  int Parts = 1;            ///< layers a light, those aside
 
   bool operator==(const ReceiverShape& other) const;
 };
@@ -71,7 +73,9 @@ struct LookupOptions
 /// Each light's parameters, as arrays of floats.
 struct ReceiverLights
 {
-  std::vector<float> ToLight, Cone, Tolerance, Taps, Attenuation;
+  std::vector<float> ToLight, Cone, Tolerance, Taps, Attenuation, Beams;
+  std::array<glm::vec4, 4> Sides{}; ///< of the view frustum
+  int Faces = 1;
   int FilterJitter = 0;
   int Count = 0;
 

@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowMapPartition.h"
 
+#include "rtwPartitionStage.h"
+
 #include "vtkObjectFactory.h"
 
 vtkStandardNewMacro(vtkShadowMapPartition);
 
 vtkShadowMapPartition::vtkShadowMapPartition() = default;
 vtkShadowMapPartition::~vtkShadowMapPartition() = default;
+
+std::unique_ptr<rtw::PartitionStage> vtkShadowMapPartition::MakeStage()
+{
+  return std::make_unique<rtw::WholeViewStage>();
+}
 
 void vtkShadowMapPartition::PrintSelf(ostream& os, vtkIndent indent)
 {

@@ -5,6 +5,7 @@
 #include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkOpenGLState.h"
 #include "vtkProp.h"
+#include "vtkShadowMapPartition.h"
 #include "vtkShadowMapWarp.h"
 #include "vtkTextureUnitManager.h"
 
@@ -30,10 +31,21 @@ void vtkAdaptiveShadowMapPass::Internals::UseWarp(vtkShadowMapWarp* warp)
   }
 }
 
-std::uint64_t vtkAdaptiveShadowMapPass::Internals::Sign(vtkMTimeType warpTime) const
+void vtkAdaptiveShadowMapPass::Internals::UsePartition(vtkShadowMapPartition* partition)
+{
+  if (this->Partition != partition)
+  {
+    this->Pipeline.SetPartition(partition->MakeStage());
+    this->Partition = partition;
+  }
+}
+
+std::uint64_t vtkAdaptiveShadowMapPass::Internals::Sign(
+  vtkMTimeType warpTime, vtkMTimeType partitionTime) const
 {
   const rtw::PipelineOptions& o = this->Options;
   std::uint64_t signature = rtw::Mix(std::uint64_t(1), std::uint64_t(warpTime));
+  signature = rtw::Mix(signature, std::uint64_t(partitionTime));
   signature = rtw::Mix(signature, std::uint64_t(o.Resolution));
   signature = rtw::Mix(signature, std::uint64_t(o.ViewSampleStride));
   signature = rtw::Mix(signature, std::uint64_t(o.Shape.Filter));
@@ -65,7 +77,7 @@ vtkAdaptiveShadowMapPass::Internals::Attachment::Attachment(Internals& internals
   }
   this->My.Uniforms = this->My.Pipeline.MakeUniforms(this->My.Options);
   rtw::ReceiverUniforms& uniforms = this->My.Uniforms;
-  const std::vector<rtw::LightFrame>& frames = this->My.Pipeline.GetFrames();
+  const std::vector<rtw::LightFrame>& frames = this->My.Pipeline.GetLayerFrames();
   uniforms.CurrentPhase = phase;
   uniforms.Layer = layer;
   uniforms.LightParallel =

@@ -32,6 +32,7 @@ public:
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   vtkWeakPointer<vtkRenderer> Renderer; ///< that the last bake was for
   vtkSmartPointer<vtkShadowMapWarp> Warp; ///< that the pipeline uses; kept alive for its stage
+  vtkSmartPointer<vtkShadowMapPartition> Partition; ///< likewise
   vtkSmartPointer<vtkImageData> MaskImage, MapImage, WarpImage, ImportanceImage, AliasingImage;
   vtkRenderPass* DefaultSequence = nullptr; ///< only compared with
   bool WasMasked = false;
@@ -51,9 +52,17 @@ public:
   {
     return light >= 0 && light < static_cast<int>(this->Pipeline.GetFrames().size());
   }
+  /// A light's layer among all; negative for one that there isn't.
+  int LayerOf(int light, int layer) const
+  {
+    const bool exists =
+      this->Has(light) && layer >= 0 && layer < this->Pipeline.GetLayerFrames()[0].Parts;
+    return exists ? light * this->Pipeline.GetLayerFrames()[0].Parts + layer : -1;
+  }
   bool MakeCurrent();
   void UseWarp(vtkShadowMapWarp* warp);
-  std::uint64_t Sign(vtkMTimeType warpTime) const;
+  void UsePartition(vtkShadowMapPartition* partition);
+  std::uint64_t Sign(vtkMTimeType warpTime, vtkMTimeType partitionTime) const;
 
   /// While one lives, the mappers of those props draw with the pass's code, in that phase, and the maps are bound.
   class Attachment

@@ -12,6 +12,7 @@ namespace rtw
 ShadowPipeline::ShadowPipeline()
   : Warp(std::make_unique<IdentityWarpStage>())
   , Fallback(std::make_unique<IdentityWarpStage>())
+  , Partition(std::make_unique<WholeViewStage>())
 {
 }
 
@@ -41,6 +42,28 @@ CasterCounts ShadowPipeline::ReadCasterCounts(int layer) const
 {
   return this->Source && !this->HasMaps ? this->Source->ReadCounts(layer)
                                         : this->Casters.ReadCounts(layer);
+}
+
+void ShadowPipeline::SetPartition(std::unique_ptr<PartitionStage> partition)
+{
+  this->Partition->Abandon();
+  this->Partition = std::move(partition);
+  this->LastSignature = 0;
+  this->Stale = true;
+}
+
+int ShadowPipeline::CountParts(std::size_t lights) const
+{
+  // There may be as many layers again, of casters that mappers draw.
+  const int most =
+    this->Can.MaximumLayers / (2 * static_cast<int>(std::max<std::size_t>(lights, 1)));
+  if (!this->OwnDrawing || this->Source) // which has one grid a light
+  {
+    return 1;
+  }
+  const int faces = this->Partition->GetNumberOfFaces();
+  const int depths = this->Partition->GetNumberOfLayers() / faces;
+  return faces * std::clamp(depths, 1, std::max(most / faces, 1));
 }
 
 WarpShape ShadowPipeline::GetShape() const
@@ -82,11 +105,13 @@ bool ShadowPipeline::Build()
     return false;
   }
   const bool built = this->Sampler.Build() && this->Focus.Build() && this->Warp->Build() &&
+    this->Partition->Build() &&
     this->Casters.Build(this->Warp->GetShape(),
       this->Can.FastUniforms ? TableAccess::Uniforms : TableAccess::Storage);
-  this->Problem = built ? std::string()
-                        : "the driver refused a shader: " + this->Sampler.GetLog() +
-      this->Focus.GetLog() + this->Warp->GetLog() + this->Casters.GetLog();
+  this->Problem = built
+    ? std::string()
+    : "the driver refused a shader: " + this->Sampler.GetLog() + this->Focus.GetLog() +
+      this->Warp->GetLog() + this->Partition->GetLog() + this->Casters.GetLog();
   return built;
 }
 
@@ -108,11 +133,21 @@ LightFrame ShadowPipeline::MakeFrame(
 void ShadowPipeline::MakeFrames(const FrameScene& scene, const std::vector<ShadowLight>& lights)
 {
   this->Frames.clear();
+  this->LayerFrames.clear();
   this->SceneSize = glm::length(scene.High - scene.Low);
   this->DrawnTurns = this->Turns.GetTurns();
+  const int parts = this->CountParts(lights.size());
   for (std::size_t i = 0; i < lights.size(); ++i)
   {
     this->Frames.push_back(this->MakeFrame(scene, lights[i], this->DrawnTurns[i]));
+    this->Frames.back().Faces = parts > 1 ? this->Partition->GetNumberOfFaces() : 1;
+    for (int part = 0; part < parts; ++part)
+    {
+      LightFrame frame = this->Frames.back();
+      frame.Parts = parts;
+      frame.Layer = this->CountLayers();
+      this->LayerFrames.push_back(frame);
+    }
   }
 }
 
@@ -150,12 +185,12 @@ Turning ShadowPipeline::TurningOf(const PipelineOptions& options) const
   return this->OwnDrawing || options.Turn != Turning::Automatic ? options.Turn : Turning::Off;
 }
 
-int ShadowPipeline::CountOtherLayers(const FrameScene& scene, std::size_t lights) const
+int ShadowPipeline::CountOtherLayers(const FrameScene& scene, std::size_t layers) const
 {
   const bool others = std::any_of(
     scene.Props.begin(), scene.Props.end(), [](const SceneProp& prop) { return prop.Casts; });
   const bool apart = this->OwnDrawing && (this->Warp->NeedsViewSamples() || this->Source);
-  return others && apart ? static_cast<int>(lights) : 0;
+  return others && apart ? static_cast<int>(layers) : 0;
 }
 
 // Of all that the layers depend on; never 0.
@@ -188,6 +223,7 @@ bool ShadowPipeline::Update(const View& view, const FrameScene& scene,
   if (!view.IsUsable() || lights.empty() || scene.IsEmpty() || !scene.HasBounds)
   {
     this->Frames.clear();
+    this->LayerFrames.clear();
     this->LastSignature = 0;
     return false;
   }
@@ -205,13 +241,17 @@ bool ShadowPipeline::Update(const View& view, const FrameScene& scene,
     {
       this->Frames[i].Light = lights[i];
     }
-    this->Counted.LayersReused = static_cast<int>(this->Frames.size());
+    for (LightFrame& frame : this->LayerFrames)
+    {
+      frame.Light = lights[frame.Number()];
+    }
+    this->Counted.LayersReused = this->CountLayers();
     return true;
   }
   const bool still = signature == this->LastSignature;
   this->LastSignature = signature;
   this->Draw(scene, lights, options, mappers, still);
-  this->Counted.LayersDrawn = static_cast<int>(this->Frames.size());
+  this->Counted.LayersDrawn = this->CountLayers();
   return true;
 }
 
@@ -258,16 +298,16 @@ void ShadowPipeline::UnbindTextures(const ReceiverUniforms& units) const
   this->Masking.GetMask().Unbind(units.MaskUnit);
 }
 
-int ShadowPipeline::ClampResolution(unsigned int resolution, std::size_t lights) const
+int ShadowPipeline::ClampResolution(unsigned int resolution, std::size_t layers) const
 {
-  // The layers of a light and of its other casters.
-  const int rows = WarpTable::RowsPerLayer * 2 * static_cast<int>(std::max<std::size_t>(lights, 1));
+  // Each layer, and that of its other casters.
+  const int rows = WarpTable::RowsPerLayer * 2 * static_cast<int>(std::max<std::size_t>(layers, 1));
   int most = std::min(this->Can.MaximumTextureSize, this->Can.MaximumTexels / rows);
   if (this->GetShape().Kind == WarpKind::Grid)
   {
     // Each layer's grid has an element a texel, and two a cell.
     const double cells = 2.0 * this->Warp->GetCells() * this->Warp->GetCells();
-    const double each = this->Can.MaximumTexels / double(std::max<std::size_t>(lights, 1));
+    const double each = this->Can.MaximumTexels / double(std::max<std::size_t>(layers, 1));
     most = std::min(most, static_cast<int>(std::sqrt(std::max(each - cells, 1.0))));
   }
   return static_cast<int>(std::min<unsigned int>(resolution, static_cast<unsigned int>(most)));
@@ -275,12 +315,12 @@ int ShadowPipeline::ClampResolution(unsigned int resolution, std::size_t lights)
 
 glm::dvec2 ShadowPipeline::ReadMaximumEffectiveResolution(int layer) const
 {
-  if (layer < 0 || layer >= static_cast<int>(this->Frames.size()))
+  if (layer < 0 || layer >= this->CountLayers())
   {
     return glm::dvec2(0);
   }
   const Rectangle focus = this->Table.ReadFocus(layer);
-  const Rectangle& whole = this->Frames[layer].Bounds;
+  const Rectangle& whole = this->LayerFrames[layer].Bounds;
   const glm::dvec2 share = (whole.High - whole.Low) / (focus.High - focus.Low);
   const WarpStage& warp = this->OwnDrawing ? *this->Warp : *this->Fallback;
   return share * warp.ReadGreatestDensity(layer) * double(this->Table.GetResolution());
@@ -293,6 +333,7 @@ void ShadowPipeline::Abandon()
   {
     this->Source->Abandon();
   }
+  this->Partition->Abandon();
   this->Store.Abandon();
   this->Last.Abandon();
   this->Turns.Abandon();
@@ -307,6 +348,7 @@ void ShadowPipeline::Abandon()
   this->Table.Abandon();
   this->Timers.Abandon();
   this->Frames.clear();
+  this->LayerFrames.clear();
   this->LastSignature = 0;
   this->HasSamples = this->HasMask = false;
 }
@@ -323,6 +365,7 @@ void ShadowPipeline::Release(vtkOpenGLRenderWindow* window)
   {
     this->Source->Release();
   }
+  this->Partition->Release();
   this->Store.Release();
   this->Last.Release();
   this->Turns.Release();

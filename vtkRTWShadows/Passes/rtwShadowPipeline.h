@@ -17,6 +17,7 @@
 #include "rtwMaskSource.h"
 #include "rtwMaskStage.h"
 #include "rtwMinimalFrustum.h"
+#include "rtwPartitionStage.h"
 #include "rtwReceiverShader.h"
 #include "rtwStageTimers.h"
 #include "rtwStatistics.h"
@@ -71,8 +72,9 @@ public:
   ShadowPipeline(const ShadowPipeline&) = delete;
   ShadowPipeline& operator=(const ShadowPipeline&) = delete;
 
-  /// Uses that warp from now on.
+  /// Uses that warp, or that partition, from now on.
   void SetWarp(std::unique_ptr<WarpStage> warp);
+  void SetPartition(std::unique_ptr<PartitionStage> partition);
   /// Fills the mask by that, from now on.
   void SetMaskSource(std::unique_ptr<MaskSource> source);
   /// Whether the mask of the last frame is that source's.
@@ -101,6 +103,10 @@ public:
   void PrimeDepth(const FrameScene& scene, const PipelineOptions& options);
 
   const std::vector<LightFrame>& GetFrames() const { return this->Frames; }
+  /// One a layer; those of a light stand together.
+  const std::vector<LightFrame>& GetLayerFrames() const { return this->LayerFrames; }
+  /// How many layers each of so many lights gets, those of casters that mappers draw aside.
+  int CountParts(std::size_t lights) const;
   const View& GetView() const { return this->Viewed; }
   const DenseLayers& GetLayers() const { return this->Layers; }
   /// Whether the last frame drew the lights' own layers.
@@ -112,8 +118,8 @@ public:
   /// Binds the table, and the maps and the mask unless maps are drawn into, to texture units.
   void BindTextures(const ReceiverUniforms& units, bool maps) const;
   void UnbindTextures(const ReceiverUniforms& units) const;
-  /// To the largest maps of so many lights that the GPU allows.
-  int ClampResolution(unsigned int resolution, std::size_t lights) const;
+  /// To the largest maps of so many layers that the GPU allows.
+  int ClampResolution(unsigned int resolution, std::size_t layers) const;
   StageTimers& GetTimers() { return this->Timers; }
   /// By how many layers those of casters that mappers draw lie behind the lights' own; 0 where they
   /// share them.
@@ -122,7 +128,7 @@ public:
   void FindMinimalFrusta(
     const FrameScene& scene, const std::vector<ShadowLight>& lights, Turning turn);
   /// Whether such layers are needed for a scene.
-  int CountOtherLayers(const FrameScene& scene, std::size_t lights) const;
+  int CountOtherLayers(const FrameScene& scene, std::size_t layers) const;
   /// The mask of the last frame; made now, where the picture didn't need it.
   const Texture& GetMask(
     const PipelineOptions& options, const std::function<void()>& mapperSamples);
@@ -141,6 +147,8 @@ public:
     int light, const PipelineOptions& options, const std::function<void()>& mapperSamples);
   const Statistics& GetStatistics() const { return this->Counted; }
   CasterCounts ReadCasterCounts(int layer) const;
+  /// From and up to which distance along the view a layer is looked up. Waits for the GPU.
+  glm::dvec2 ReadInterval(int layer) const;
   /// Texels a side along s and t. Waits for the GPU.
   glm::dvec2 ReadMaximumEffectiveResolution(int layer) const;
   void Release(vtkOpenGLRenderWindow* window);
@@ -152,6 +160,7 @@ private:
   void Abandon();
   LightFrame MakeFrame(const FrameScene& scene, const ShadowLight& light, double turn) const;
   void MakeFrames(const FrameScene& scene, const std::vector<ShadowLight>& lights);
+  int CountLayers() const { return static_cast<int>(this->LayerFrames.size()); }
   static Rectangle UnsampledReceivers(
     const FrameScene& scene, const LightFrame& frame, double beyond);
   std::vector<Rectangle> UnsampledReceiversOfAll(const FrameScene& scene, double beyond) const;
@@ -174,6 +183,9 @@ private:
     const MapperDrawing& mappers, const Texture* lastMask, bool still);
   void AskForTurns(const FrameScene& scene, const PipelineOptions& options, const Texture* mask);
   Rectangle WithoutSamples(std::size_t light, const FilterReach& reach) const;
+  FilterReach GetReach(const PipelineOptions& options) const;
+  PartitionInput MakePartitionInput(const PipelineOptions& options) const;
+  void Split(const PipelineOptions& options);
   void FindFocus(const FrameScene& scene, const PipelineOptions& options);
   bool DrawLightImages(
     StateGuard& guard, const PipelineOptions& options, const MapperDrawing& mappers);
@@ -193,6 +205,11 @@ private:
     return options.ViewSampleStride / kept;
   }
 
+  int GetFocusStride(const PipelineOptions& options) const
+  {
+    return this->Resampled ? 1 : std::min(options.ViewSampleStride, FocusStride);
+  }
+
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   std::uint64_t ContextTime = 0;
   bool Stale = true; ///< whether programs have to be built
@@ -200,6 +217,7 @@ private:
   bool OwnDrawing = false;
   std::string Problem;
   std::unique_ptr<WarpStage> Warp, Fallback;
+  std::unique_ptr<PartitionStage> Partition;
   std::unique_ptr<MaskSource> Source; ///< none where maps fill the mask
   std::string SourceProblem;
   bool MaskedBySource = false;
@@ -230,7 +248,7 @@ private:
   StageTimers Timers;
   Statistics Counted;
   View Viewed;
-  std::vector<LightFrame> Frames;
+  std::vector<LightFrame> Frames, LayerFrames;
   double SceneSize = 0;
   std::uint64_t LastSignature = 0;
 };

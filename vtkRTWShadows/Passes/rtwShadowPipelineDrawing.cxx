@@ -39,7 +39,7 @@ std::vector<Rectangle> ShadowPipeline::UnsampledReceiversOfAll(
   const FrameScene& scene, double beyond) const
 {
   std::vector<Rectangle> bounds;
-  for (const LightFrame& frame : this->Frames)
+  for (const LightFrame& frame : this->LayerFrames)
   {
     bounds.push_back(UnsampledReceivers(scene, frame, beyond));
   }
@@ -50,7 +50,7 @@ bool ShadowPipeline::NeedsViewSamples(const PipelineOptions& options) const
 {
   return this->OwnDrawing &&
     (options.Masked || options.FocusOnView || options.Turn == Turning::Automatic ||
-      this->Warp->NeedsViewSamples());
+      this->Warp->NeedsViewSamples() || this->Partition->NeedsViewSamples());
 }
 
 // True where the last frame shows about what this one will.
@@ -92,36 +92,60 @@ Rectangle ShadowPipeline::WithoutSamples(std::size_t light, const FilterReach& r
   return isAny ? focus : frame.Bounds;
 }
 
+FilterReach ShadowPipeline::GetReach(const PipelineOptions& options) const
+{
+  return { options.Lookup.FilterWorld,
+    options.Lookup.FilterTexels / double(options.Resolution) +
+      (this->Resampled ? ResampledMargin : 0) };
+}
+
+PartitionInput ShadowPipeline::MakePartitionInput(const PipelineOptions& options) const
+{
+  return { this->Frames, this->Viewed, options.Viewer, this->Sampler, this->GetFocusStride(options),
+    this->LayerFrames.front().Parts, this->LayerFrames.front().Faces, options.Resolution,
+    options.FocusOnView, this->GetReach(options) };
+}
+
+// What each layer is for, into the warp table.
+void ShadowPipeline::Split(const PipelineOptions& options)
+{
+  if (this->LayerFrames.front().Parts > 1)
+  {
+    StageTimers::Scope timer(this->Timers, "partition");
+    this->Partition->Split(this->MakePartitionInput(options), this->Table);
+  }
+}
+
 // Into the warp table.
 void ShadowPipeline::FindFocus(const FrameScene& scene, const PipelineOptions& options)
 {
-  std::vector<LightFrame> frames = this->Frames;
-  const FilterReach reach{ options.Lookup.FilterWorld,
-    options.Lookup.FilterTexels / double(options.Resolution) +
-      (this->Resampled ? ResampledMargin : 0) };
-  std::vector<Rectangle> unsampled = this->UnsampledReceiversOfAll(scene, reach.World);
-  if (this->OtherLayers > 0)
+  const FilterReach reach = this->GetReach(options);
+  const PartitionInput input = this->MakePartitionInput(options);
+  const std::vector<Rectangle> unsampled = this->UnsampledReceiversOfAll(scene, reach.World);
+  if (this->Partition->FocusOf(this->LayerFrames.front(), input))
   {
-    frames.insert(frames.end(), this->Frames.begin(), this->Frames.end());
-    unsampled.insert(unsampled.end(), unsampled.begin(), unsampled.begin() + this->OtherLayers);
+    for (const LightFrame& frame : this->LayerFrames)
+    {
+      this->Table.WriteFocus(frame.Layer, *this->Partition->FocusOf(frame, input));
+    }
   }
-  if (options.FocusOnView && this->OwnDrawing)
+  else if (options.FocusOnView && this->OwnDrawing)
   {
     StageTimers::Scope timer(this->Timers, "focus");
-    this->Focus.Reduce(frames, unsampled, this->Sampler,
-      this->Resampled ? 1 : std::min(options.ViewSampleStride, FocusStride), reach, this->Table);
+    this->Focus.Reduce(this->LayerFrames, unsampled, scene.UnsampledReceivers, this->Sampler,
+      this->GetFocusStride(options), reach, this->Table);
   }
   else
   {
-    for (std::size_t layer = 0; layer < frames.size(); ++layer)
+    for (const LightFrame& frame : this->LayerFrames)
     {
-      this->Table.WriteFocus(
-        static_cast<int>(layer), this->WithoutSamples(layer % this->Frames.size(), reach));
+      this->Table.WriteFocus(frame.Layer, this->WithoutSamples(frame.Number(), reach));
     }
   }
+  this->Table.ShareFocus(this->OtherLayers);
   for (int layer = 0; layer < this->OtherLayers; ++layer)
   {
-    this->Table.WriteIdentity(static_cast<int>(this->Frames.size()) + layer);
+    this->Table.WriteIdentity(this->CountLayers() + layer);
   }
 }
 
@@ -168,21 +192,19 @@ bool ShadowPipeline::DrawLightImages(
     return false;
   }
   StageTimers::Scope timer(this->Timers, "light images");
-  const int lights = static_cast<int>(this->Frames.size());
   this->Images.Start(
-    this->ClampResolution(static_cast<unsigned int>(size), this->Frames.size()), lights,
-    this->Table);
-  for (int light = 0; light < lights; ++light)
+    this->ClampResolution(static_cast<unsigned int>(size), this->LayerFrames.size()),
+    this->CountLayers(), this->Table);
+  for (const LightFrame& frame : this->LayerFrames)
   {
-    const LightFrame& frame = this->Frames[light];
     StateGuard::PrepareDepthDrawing(this->Can.DepthClamp);
-    if (!this->Images.Draw(this->Store, frame, light, options.Casters.Cull))
+    if (!this->Images.Draw(this->Store, frame, frame.Layer, options.Casters.Cull))
     {
       return false;
     }
     if (this->OtherLayers > 0)
     {
-      guard.DrawWithVTK([&] { mappers.Casters(light + this->OtherLayers, frame); });
+      guard.DrawWithVTK([&] { mappers.Casters(frame.Layer + this->OtherLayers, frame); });
     }
   }
   return true;
@@ -197,7 +219,7 @@ void ShadowPipeline::RunWarp(
     StageTimers::Scope timer(this->Timers, "warp");
     const LookupOptions& lookup = options.Lookup;
     // What is shaded elsewhere than at samples of this frame might lie anywhere.
-    this->Warp->Run(this->Frames,
+    this->Warp->Run(this->LayerFrames,
       { this->Sampler, this->GetStride(options), this->SceneSize,
         hasImages ? &this->Images.GetImages() : nullptr, lastMask, this->Masked,
         options.Masked && !this->Resampled,
@@ -210,7 +232,6 @@ void ShadowPipeline::RunWarp(
 void ShadowPipeline::Draw(const FrameScene& scene, const std::vector<ShadowLight>& lights,
   const PipelineOptions& options, const MapperDrawing& mappers, bool still)
 {
-  const int layers = static_cast<int>(lights.size());
   this->Timers.NextFrame();
   StateGuard guard(this->Window);
   if (this->OwnDrawing)
@@ -219,7 +240,8 @@ void ShadowPipeline::Draw(const FrameScene& scene, const std::vector<ShadowLight
     this->Store.Update(scene.Parts);
   }
   this->MakeFrames(scene, lights);
-  this->OtherLayers = this->CountOtherLayers(scene, lights.size());
+  const int layers = this->CountLayers();
+  this->OtherLayers = this->CountOtherLayers(scene, this->LayerFrames.size());
   this->Layers.Allocate(options.Resolution, layers + this->OtherLayers);
   this->Table.Allocate((this->OwnDrawing ? this->Warp : this->Fallback)->GetCells(),
     options.Resolution, layers + this->OtherLayers,
@@ -231,7 +253,7 @@ void ShadowPipeline::Draw(const FrameScene& scene, const std::vector<ShadowLight
   }
   const Texture& mask = this->Masking.GetMask();
   // One that somebody asked for later must not change what is drawn.
-  const bool hasLast = this->HasMask && options.Masked && mask.GetLayers() == layers;
+  const bool hasLast = this->HasMask && options.Masked && mask.GetLayers() == int(lights.size());
   const Texture* const lastMask = hasLast ? &mask : nullptr;
   this->HasSamples = this->HasMask = false;
   this->Resampled = this->NeedsViewSamples(options) && this->ResampleLastFrame(options);
@@ -259,10 +281,11 @@ void ShadowPipeline::DrawMaps(StateGuard& guard, const FrameScene& scene,
   const PipelineOptions& options, const MapperDrawing& mappers, const Texture* lastMask,
   bool still)
 {
+  this->Split(options);
   this->FindFocus(scene, options);
   if (this->OwnDrawing)
   {
-    this->Warp->Follow({ this->Frames, this->Viewed, this->SceneSize, options.Signature, still,
+    this->Warp->Follow({ this->LayerFrames, this->Viewed, this->SceneSize, options.Signature, still,
                          this->Settled, options.FocusOnView, this->OtherLayers },
       this->Table);
     this->Settled = this->Settled && this->Warp->IsSettled();
@@ -291,7 +314,7 @@ void ShadowPipeline::DrawMaps(StateGuard& guard, const FrameScene& scene,
 void ShadowPipeline::DrawLayers(StateGuard& guard, const FrameScene& scene,
   const PipelineOptions& options, const MapperDrawing& mappers, bool own)
 {
-  for (int layer = 0; layer < static_cast<int>(this->Frames.size()); ++layer)
+  for (int layer = 0; layer < this->CountLayers(); ++layer)
   {
     this->DrawLayer(guard, layer, scene, options, mappers, own);
   }
@@ -319,7 +342,8 @@ void ShadowPipeline::DrawViewSamples(StateGuard& guard, const std::function<void
 void ShadowPipeline::DrawMask(const PipelineOptions& options)
 {
   StageTimers::Scope timer(this->Timers, "mask");
-  const bool uniforms = this->HasUniformTable() && this->OtherLayers == 0;
+  const bool uniforms =
+    this->HasUniformTable() && this->OtherLayers == 0 && options.Shape.Parts == 1;
   if (this->HasSamples &&
     this->Masking.Build(options.Shape, uniforms ? TableAccess::Uniforms : TableAccess::Texels))
   {
@@ -357,7 +381,7 @@ const Texture& ShadowPipeline::GetMask(
 void ShadowPipeline::DrawLayer(StateGuard& guard, int layer, const FrameScene& scene,
   const PipelineOptions& options, const MapperDrawing& mappers, bool own)
 {
-  const LightFrame& frame = this->Frames[layer];
+  const LightFrame& frame = this->LayerFrames[layer];
   StageTimers::Scope timer(this->Timers, "light pass");
   StateGuard::PrepareDepthDrawing(this->Can.DepthClamp);
   if (own && !this->Layers.BindTarget(layer))

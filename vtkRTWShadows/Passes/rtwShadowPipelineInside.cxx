@@ -6,11 +6,14 @@
 
 #include "vtkOpenGLRenderWindow.h"
 
+#include <limits>
+
 namespace rtw
 {
 DebuggedMap ShadowPipeline::MapOf(int light) const
 {
-  return { this->Frames[light], light, this->OtherLayers, this->Sampler, this->Table };
+  const int first = light * this->LayerFrames.front().Parts;
+  return { this->LayerFrames[first], this->OtherLayers, this->Sampler, this->Table };
 }
 
 bool ShadowPipeline::PaintDebugView(DebugView view, int light, const PipelineOptions& options,
@@ -65,6 +68,13 @@ double ShadowPipeline::PredictError(
     ReceiverLights::Make(this->Frames, this->Viewed, options.Lookup, this->SceneSize);
   return this->Prediction.Predict(
     { this->MapOf(light), mask, lights, this->Layers }, options.Shape);
+}
+
+glm::dvec2 ShadowPipeline::ReadInterval(int layer) const
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  return this->LayerFrames[layer].Parts > 1 ? this->Table.ReadInterval(layer)
+                                            : glm::dvec2(-infinity, infinity);
 }
 
 std::vector<float> ShadowPipeline::ReadImportance(int layer) const

@@ -33,9 +33,10 @@ void vtkAdaptiveShadowMapPass::PaintDebugView(vtkRenderer* renderer)
 vtkImageData* vtkAdaptiveShadowMapPass::GetImportanceImage(int light, int layer)
 {
   Internals& my = *this->Shadows;
-  my.ImportanceImage = my.Has(light) && layer == 0 && my.MakeCurrent()
+  const int index = my.LayerOf(light, layer);
+  my.ImportanceImage = index >= 0 && my.MakeCurrent()
     ? rtw::MakeImportanceImage(
-        my.Pipeline.ReadImportance(light), my.Pipeline.GetShape().Kind == rtw::WarpKind::Grid)
+        my.Pipeline.ReadImportance(index), my.Pipeline.GetShape().Kind == rtw::WarpKind::Grid)
     : nullptr;
   return my.ImportanceImage;
 }

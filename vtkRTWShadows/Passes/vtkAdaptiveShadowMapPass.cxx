@@ -130,6 +130,7 @@ void vtkAdaptiveShadowMapPass::Bake(const vtkRenderState* s)
   Internals& my = *this->Shadows;
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   my.UseWarp(this->Warp);
+  my.UsePartition(this->Partition);
   if (!my.Pipeline.SetContext(window))
   {
     return;
@@ -148,8 +149,9 @@ void vtkAdaptiveShadowMapPass::Bake(const vtkRenderState* s)
     renderer, { CASTS_SHADOW(), RECEIVES_SHADOW() }, my.Pipeline.HasOwnDrawing());
   this->WarnOnce();
 
-  my.Options.Resolution =
-    my.Pipeline.ClampResolution(this->GetResolution(), my.Lights.Shadowing.size());
+  const std::size_t lights = my.Lights.Shadowing.size();
+  const int parts = my.Pipeline.CountParts(lights);
+  my.Options.Resolution = my.Pipeline.ClampResolution(this->GetResolution(), lights * parts);
   if (static_cast<unsigned int>(my.Options.Resolution) < this->GetResolution() &&
     !my.WarnedOfResolution)
   {
@@ -172,7 +174,7 @@ void vtkAdaptiveShadowMapPass::Bake(const vtkRenderState* s)
   my.Options.Masked = my.Pipeline.HasOwnDrawing() && window->GetMultiSamples() <= 1 &&
     !my.Options.PreviousFrame;
   rtw::ReceiverShape shape{ my.Pipeline.GetShape(), {}, this->Filter, this->DepthTest,
-    my.Pipeline.CountOtherLayers(my.Scene, my.Lights.Shadowing.size()) > 0 };
+    my.Pipeline.CountOtherLayers(my.Scene, lights * parts) > 0, parts };
   for (const rtw::ShadowLight& light : my.Lights.Shadowing)
   {
     shape.Switched.push_back(light.Switched);
@@ -188,7 +190,7 @@ void vtkAdaptiveShadowMapPass::Bake(const vtkRenderState* s)
     my.Translucent = std::move(translucent);
     this->StageTime.Modified();
   }
-  my.Options.Signature = my.Sign(this->Warp->GetMTime());
+  my.Options.Signature = my.Sign(this->Warp->GetMTime(), this->Partition->GetMTime());
   my.Pipeline.Update(rtw::ViewOf(s), my.Scene, my.Lights.Shadowing, my.Options,
     { [this, renderer] { this->DrawViewSamples(renderer); },
       [this, renderer](int layer, const rtw::LightFrame& frame) {

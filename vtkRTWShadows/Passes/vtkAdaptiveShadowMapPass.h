@@ -82,12 +82,30 @@ public:
 
   ///@{
   /**
-   * Of the last frame in which a light's layer was drawn: clusters of triangles that were drawn into it, and that were left out
-   * because they can't reach what it holds. Waits for the GPU. 0 for a light that there isn't.
+   * Of the last frame in which a light's layers were drawn: clusters of triangles that were drawn
+   * into a layer, and that were left out because they can't reach what it holds; without a layer
+   * the sum over all that the light has. Waits for the GPU. 0 for a light or layer that there
+   * isn't.
    */
   int GetNumberOfCastersDrawn(int light);
   int GetNumberOfCastersCulled(int light);
+  int GetNumberOfCastersDrawn(int light, int layer);
+  int GetNumberOfCastersCulled(int light, int layer);
   ///@}
+
+  /**
+   * Layers that a light has in the last frame: those of the partition or, where an OpenGL context
+   * can't analyse the view, 1. 0 for a light that there isn't.
+   */
+  int GetNumberOfLightLayers(int light);
+
+  /**
+   * Between which distances along the view direction, in world units, receivers were looked up in a
+   * light's layer in the last frame: from and up to. The first begins, and the last ends, beyond
+   * all that can be seen. False, and nothing is changed, for a light or layer that there isn't.
+   * Waits for the GPU.
+   */
+  bool GetLayerDepthRange(int light, int layer, double range[2]);
 
   /**
    * Bytes of GPU memory that shadow maps, warping maps and view samples take.
@@ -100,8 +118,9 @@ public:
   vtkGetMacro(NumberOfShaderBuilds, int);
 
   /**
-   * Texels that a side of a conventional map of everything a light shines on needs to be as fine as this one at its finest
-   * (Rosen 2012, section 6): along s (axis 0) or t (1). 0 for a light or axis that there isn't. Waits for the GPU.
+   * Texels that a side of a conventional map of everything a light shines on needs to be as fine as
+   * this one at its finest (Rosen 2012, section 6): along s (axis 0) or t (1); of several layers,
+   * the finest one's. 0 for a light or axis that there isn't. Waits for the GPU.
    */
   double GetMaximumEffectiveResolution(int light, int axis);
 

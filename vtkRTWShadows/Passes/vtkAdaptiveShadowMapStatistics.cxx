@@ -10,6 +10,7 @@
 #include "vtkShadowMapPartition.h"
 #include "vtkShadowMapWarp.h"
 
+#include <algorithm>
 #include <utility>
 
 void vtkAdaptiveShadowMapPass::SetPartition(vtkShadowMapPartition* partition)
@@ -78,16 +79,53 @@ int vtkAdaptiveShadowMapPass::GetNumberOfLayersReused()
 
 int vtkAdaptiveShadowMapPass::GetNumberOfCastersDrawn(int light)
 {
-  return this->Shadows->Has(light)
-    ? static_cast<int>(this->Shadows->Pipeline.ReadCasterCounts(light).Drawn)
-    : 0;
+  int drawn = 0;
+  for (int layer = 0; layer < this->GetNumberOfLightLayers(light); ++layer)
+  {
+    drawn += this->GetNumberOfCastersDrawn(light, layer);
+  }
+  return drawn;
+}
+
+int vtkAdaptiveShadowMapPass::GetNumberOfCastersDrawn(int light, int layer)
+{
+  const int index = this->Shadows->LayerOf(light, layer);
+  return index < 0 ? 0 : static_cast<int>(this->Shadows->Pipeline.ReadCasterCounts(index).Drawn);
 }
 
 int vtkAdaptiveShadowMapPass::GetNumberOfCastersCulled(int light)
 {
-  return this->Shadows->Has(light)
-    ? static_cast<int>(this->Shadows->Pipeline.ReadCasterCounts(light).Culled)
-    : 0;
+  int culled = 0;
+  for (int layer = 0; layer < this->GetNumberOfLightLayers(light); ++layer)
+  {
+    culled += this->GetNumberOfCastersCulled(light, layer);
+  }
+  return culled;
+}
+
+int vtkAdaptiveShadowMapPass::GetNumberOfCastersCulled(int light, int layer)
+{
+  const int index = this->Shadows->LayerOf(light, layer);
+  return index < 0 ? 0 : static_cast<int>(this->Shadows->Pipeline.ReadCasterCounts(index).Culled);
+}
+
+int vtkAdaptiveShadowMapPass::GetNumberOfLightLayers(int light)
+{
+  return this->Shadows->Has(light) ? this->Shadows->Pipeline.GetLayerFrames()[0].Parts : 0;
+}
+
+bool vtkAdaptiveShadowMapPass::GetLayerDepthRange(int light, int layer, double range[2])
+{
+  Internals& my = *this->Shadows;
+  const int index = my.LayerOf(light, layer);
+  if (index < 0 || !my.MakeCurrent())
+  {
+    return false;
+  }
+  const glm::dvec2 interval = my.Pipeline.ReadInterval(index);
+  range[0] = interval.x;
+  range[1] = interval.y;
+  return true;
 }
 
 vtkTypeInt64 vtkAdaptiveShadowMapPass::GetShadowMemory()
@@ -101,7 +139,13 @@ double vtkAdaptiveShadowMapPass::GetMaximumEffectiveResolution(int light, int ax
   {
     return 0;
   }
-  return this->Shadows->Pipeline.ReadMaximumEffectiveResolution(light)[axis];
+  double most = 0;
+  for (int layer = 0; layer < this->GetNumberOfLightLayers(light); ++layer)
+  {
+    const int index = this->Shadows->LayerOf(light, layer);
+    most = std::max(most, this->Shadows->Pipeline.ReadMaximumEffectiveResolution(index)[axis]);
+  }
+  return most;
 }
 
 void vtkAdaptiveShadowMapPass::SetTimeStages(bool time)
@@ -147,8 +191,9 @@ vtkImageData* vtkAdaptiveShadowMapPass::GetShadowMask(int light)
 vtkImageData* vtkAdaptiveShadowMapPass::GetShadowMapImage(int light, int layer)
 {
   Internals& my = *this->Shadows;
-  my.MapImage = my.Has(light) && layer == 0 && my.Pipeline.HasOwnLayers() && my.MakeCurrent()
-    ? rtw::ReadShadowMap(my.Pipeline.GetLayers(), light)
+  const int index = my.LayerOf(light, layer);
+  my.MapImage = index >= 0 && my.Pipeline.HasOwnLayers() && my.MakeCurrent()
+    ? rtw::ReadShadowMap(my.Pipeline.GetLayers(), index)
     : nullptr;
   return my.MapImage;
 }
@@ -156,8 +201,9 @@ vtkImageData* vtkAdaptiveShadowMapPass::GetShadowMapImage(int light, int layer)
 vtkImageData* vtkAdaptiveShadowMapPass::GetWarpImage(int light, int layer)
 {
   Internals& my = *this->Shadows;
-  my.WarpImage = my.Has(light) && layer == 0 && my.MakeCurrent()
-    ? rtw::ReadWarp(my.Pipeline.GetTable(), light, my.Pipeline.GetShape().Kind)
+  const int index = my.LayerOf(light, layer);
+  my.WarpImage = index >= 0 && my.MakeCurrent()
+    ? rtw::ReadWarp(my.Pipeline.GetTable(), index, my.Pipeline.GetShape().Kind)
     : nullptr;
   return my.WarpImage;
 }
@@ -165,12 +211,13 @@ vtkImageData* vtkAdaptiveShadowMapPass::GetWarpImage(int light, int layer)
 bool vtkAdaptiveShadowMapPass::GetLightPlaneMatrix(int light, int layer, vtkMatrix4x4* worldToPlane)
 {
   Internals& my = *this->Shadows;
-  if (!worldToPlane || !my.Has(light) || layer != 0 || !my.MakeCurrent())
+  const int index = my.LayerOf(light, layer);
+  if (!worldToPlane || index < 0 || !my.MakeCurrent())
   {
     return false;
   }
   const glm::dmat4 matrix =
-    my.Pipeline.GetFrames()[light].WorldToFocus(my.Pipeline.GetTable().ReadFocus(light));
+    my.Pipeline.GetFrames()[light].WorldToFocus(my.Pipeline.GetTable().ReadFocus(index));
   for (int row = 0; row < 4; ++row)
   {
     for (int column = 0; column < 4; ++column)

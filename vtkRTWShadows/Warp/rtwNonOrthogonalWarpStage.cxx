@@ -13,12 +13,14 @@
 #include "rtwGridTiles.h"
 #include "rtwImportance.h"
 #include "rtwImportanceStage.h"
+#include "rtwLayerInterval.h"
 #include "rtwLightUniforms.h"
 #include "rtwLitSample.h"
 #include "rtwNonOrthogonalWarp.h"
 #include "rtwOpenGL.h"
 #include "rtwRectilinearWarp.h"
 #include "rtwRunningSum.h"
+#include "rtwSampleOfLayer.h"
 #include "rtwSamplePlace.h"
 #include "rtwSlopeNonOrthogonal.h"
 #include "rtwSmoothGrid.h"
@@ -49,9 +51,9 @@ bool BuildCollecting(Program& program, int functions)
     "const int PROFILES = 1;\nconst int FUNCTIONS = " + std::to_string(functions) +
     ";\nconst float COUNT_UNIT = " + std::to_string(CountUnit) + ".0;\n";
   return program.Build({ { GL_COMPUTE_SHADER,
-    { definitions.c_str(), rtwWarpFocus, rtwWarpNonOrthogonal, rtwViewSampleAccess, rtwLitSample,
-      rtwUserFunction, "return 1.0;\n}\n", rtwImportance, rtwSamplePlace, rtwBackwardSample,
-      rtwCollectGrid } } });
+    { definitions.c_str(), rtwWarpFocus, rtwWarpNonOrthogonal, rtwLayerInterval,
+      rtwViewSampleAccess, rtwLitSample, rtwSampleOfLayer, rtwUserFunction, "return 1.0;\n}\n",
+      rtwImportance, rtwSamplePlace, rtwBackwardSample, rtwCollectGrid } } });
 }
 }
 

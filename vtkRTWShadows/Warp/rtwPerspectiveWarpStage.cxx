@@ -6,12 +6,16 @@
 #include "rtwBendPerspective.h"
 #include "rtwBuildPerspective.h"
 #include "rtwDrawing.h"
+#include "rtwFocusBounds.h"
 #include "rtwFocusReduction.h"
+#include "rtwLayerInterval.h"
 #include "rtwLightUniforms.h"
 #include "rtwLitSample.h"
 #include "rtwNearestSample.h"
 #include "rtwOpenGL.h"
+#include "rtwOrdered.h"
 #include "rtwPlacedOnWarp.h"
+#include "rtwSampleOfLayer.h"
 #include "rtwSamplePlace.h"
 #include "rtwSlopePerspective.h"
 #include "rtwViewSampleAccess.h"
@@ -57,11 +61,12 @@ WarpShape PerspectiveWarpStage::GetShape() const
 bool PerspectiveWarpStage::Build()
 {
   return this->Looking.Build({ { GL_COMPUTE_SHADER,
-           { rtwViewSampleAccess, rtwSamplePlace, rtwLitSample, rtwBackwardSample,
-             rtwNearestSample } } }) &&
+           { rtwWarpFocus, rtwLayerInterval, rtwViewSampleAccess, rtwSamplePlace, rtwLitSample,
+             rtwSampleOfLayer, rtwBackwardSample, rtwNearestSample } } }) &&
     this->Bounding.Build({ { GL_COMPUTE_SHADER,
-      { rtwWarpFocus, rtwWarpPerspective, rtwBendPerspective, rtwViewSampleAccess, rtwSamplePlace,
-        rtwLitSample, rtwBackwardSample, rtwPlacedOnWarp, rtwFocusReduction } } }) &&
+      { rtwWarpFocus, rtwWarpPerspective, rtwBendPerspective, rtwLayerInterval,
+        rtwViewSampleAccess, rtwSamplePlace, rtwLitSample, rtwSampleOfLayer, rtwBackwardSample,
+        rtwOrdered, rtwFocusBounds, rtwPlacedOnWarp, rtwFocusReduction } } }) &&
     this->Building.Build({ { GL_COMPUTE_SHADER, { rtwWarpFocus, rtwBuildPerspective } } });
 }
 
@@ -92,7 +97,7 @@ void PerspectiveWarpStage::Run(
   this->Bounds.Assign(none);
   for (int layer = 0; layer < this->Layers; ++layer)
   {
-    this->FindNearest(frames[layer], layer, input);
+    this->FindNearest(frames[layer], layer, input, table);
     this->Write(frames[layer], layer, 0, input, table);
     this->FindBounds(frames[layer], layer, input, table);
     this->Write(frames[layer], layer, 1, input, table);
@@ -100,11 +105,12 @@ void PerspectiveWarpStage::Run(
 }
 
 void PerspectiveWarpStage::FindNearest(
-  const LightFrame& frame, int layer, const AnalysisInput& input)
+  const LightFrame& frame, int layer, const AnalysisInput& input, const WarpTable& table)
 {
   this->Looking.Use();
   this->Nearest.BindStorage(0);
   input.Samples.Bind(this->Looking);
+  table.Bind(this->Looking);
   BindLight(this->Looking, frame, input.Samples.GetView(), input.Stride);
   this->Looking.Set("rtwLayer", layer);
   Dispatch(Groups(Groups(input.Samples.GetWidth(), input.Stride), Tile),

@@ -37,7 +37,8 @@ public:
   void Abandon() override;
 
 private:
-  void FindNearest(const LightFrame& frame, int layer, const AnalysisInput& input);
+  void FindNearest(const LightFrame& frame, int layer, const AnalysisInput& input,
+    const WarpTable& table);
   void FindBounds(
     const LightFrame& frame, int layer, const AnalysisInput& input, const WarpTable& table);
   void Write(const LightFrame& frame, int layer, int pass, const AnalysisInput& input,

@@ -1,5 +1,4 @@
 // Bounds are reduced on the map: of what a box on the light plane has in the focus, which holds all samples.
-uniform int rtwLayer;
 
 vec4 rtwPlaced(vec4 box)
 {

@@ -4,10 +4,12 @@
 #include "rtwAnalysisInput.h"
 #include "rtwBackwardSample.h"
 #include "rtwDrawing.h"
+#include "rtwLayerInterval.h"
 #include "rtwLightUniforms.h"
 #include "rtwLitSample.h"
 #include "rtwMarkUsed.h"
 #include "rtwOpenGL.h"
+#include "rtwSampleOfLayer.h"
 #include "rtwSamplePlace.h"
 #include "rtwUsedGrid.h"
 #include "rtwViewSampleAccess.h"
@@ -26,8 +28,8 @@ constexpr int Tile = 64;  // as in rtwBackwardSample.glsl
 bool UsedCells::Build()
 {
   return this->Marking.Build({ { GL_COMPUTE_SHADER,
-    { rtwWarpFocus, rtwViewSampleAccess, rtwSamplePlace, rtwLitSample, rtwBackwardSample,
-      rtwUsedGrid, rtwMarkUsed } } });
+    { rtwWarpFocus, rtwLayerInterval, rtwViewSampleAccess, rtwSamplePlace, rtwLitSample,
+      rtwSampleOfLayer, rtwBackwardSample, rtwUsedGrid, rtwMarkUsed } } });
 }
 
 void UsedCells::Find(

@@ -1,7 +1,7 @@
 // A layer's rows in the warp table, and its focus: where on the light plane its map lies.
 //
 // Rows of a layer: forward along s, forward along t, inverse along s, inverse along t. Behind the last cell of the first two
-// stands the focus along that axis: its low end, and one over its extent.
+// stands the focus along that axis: its low end, and one over its extent; then what rtwLayerInterval.glsl has.
 #if defined(RTW_TABLE_IN_UNIFORMS)
 // Of the layer that is worked on, two blocks, since no block may be longer. Both stand where WarpTable puts them.
 layout(std140) uniform WarpForward
@@ -24,7 +24,7 @@ uniform ivec2 rtwWarpSize; // cells of a warping function, texels of the map
 
 int rtwWarpPlace(int row, int i)
 {
-  return row * ((max(rtwWarpSize.x + 1, rtwWarpSize.y) + 1) & ~1) + i;
+  return row * ((max(rtwWarpSize.x + 2, rtwWarpSize.y) + 1) & ~1) + i;
 }
 
 vec2 rtwWarpEntry(int row, int i)

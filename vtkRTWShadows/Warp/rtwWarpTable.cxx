@@ -90,7 +90,7 @@ std::size_t WarpTable::GetGridLength() const
 
 int WarpTable::GetRowLength() const
 {
-  const int length = std::max(this->Cells + 1, this->Resolution);
+  const int length = std::max(this->Cells + 2, this->Resolution);
   return length + length % 2; // rtwWarpFocus.glsl has it too
 }
 
@@ -109,13 +109,14 @@ void WarpTable::WriteFocus(int layer, const Rectangle& focus)
   }
 }
 
-void WarpTable::CopyFocus(const WarpTable& from, int layers)
+void WarpTable::CopyFocus(const WarpTable& from, int layers, int behind)
 {
   for (int layer = 0; layer < layers; ++layer)
   {
     for (int row = RowsPerLayer * layer; row < RowsPerLayer * layer + 2; ++row)
     {
-      this->Table.CopyElement(std::size_t(row) * this->GetRowLength() + this->Cells, from.Table,
+      const std::size_t to = std::size_t(row) + std::size_t(RowsPerLayer) * behind;
+      this->Table.CopyElement(to * this->GetRowLength() + this->Cells, from.Table,
         std::size_t(row) * from.GetRowLength() + from.Cells);
     }
   }
@@ -192,6 +193,21 @@ Rectangle WarpTable::ReadFocus(int layer) const
     focus.High[axis] = focus.Low[axis] + 1 / double(values[1]);
   }
   return focus;
+}
+
+glm::dvec2 WarpTable::ReadInterval(int layer) const
+{
+  const std::vector<float> table = this->Read();
+  const float* values =
+    &table[2 * (std::size_t(RowsPerLayer) * layer * this->GetRowLength() + this->Cells + 1)];
+  return { values[0], values[1] };
+}
+
+void WarpTable::WriteInterval(int layer, const glm::dvec2& interval, double blendStart)
+{
+  const int row = RowsPerLayer * layer;
+  this->WriteRow(row, this->Cells + 1, { float(interval.x), float(interval.y) });
+  this->WriteRow(row + 1, this->Cells + 1, { float(blendStart), 0.f });
 }
 
 std::vector<float> WarpTable::Read() const

@@ -40,7 +40,9 @@ public:
   /// Sets a layer's focus from the CPU.
   void WriteFocus(int layer, const Rectangle& focus);
   /// Takes over the focus of the first layers of another table, on the GPU.
-  void CopyFocus(const WarpTable& from, int layers);
+  void CopyFocus(const WarpTable& from, int layers, int behind = 0);
+  /// Takes over the focus of the first layers for as many behind them, on the GPU.
+  void ShareFocus(int layers) { this->CopyFocus(*this, layers, layers); }
   /// Sets a layer's warping functions to none.
   void WriteIdentity(int layer);
   /// Gives a program of ours the table.
@@ -69,6 +71,10 @@ public:
   }
   /// A layer's focus, as the GPU has it. Waits for the GPU.
   Rectangle ReadFocus(int layer) const;
+  /// A layer's interval, as rtwLayerInterval.glsl has it. Waits for the GPU.
+  glm::dvec2 ReadInterval(int layer) const;
+  /// Sets it from the CPU, and where blending with the layer before begins.
+  void WriteInterval(int layer, const glm::dvec2& interval, double blendStart);
   /// The whole table, row by row, two floats a texel. Waits for the GPU.
   std::vector<float> Read() const;
   /// A layer's functions, line by line, each cell's two ends; those along s first. Waits for the

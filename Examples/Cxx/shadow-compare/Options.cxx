@@ -214,6 +214,30 @@ std::vector<rtw::CommandLineOption> Entries(Options& options)
       [&](const std::string& value) {
         settings.FocusPoint = ReadNumber("--focus-point", value, 0.001, 1);
       } },
+    { "--layers", "N", "of cascades, 1 to 8; default 4",
+      [&](const std::string& value) { settings.Layers = ReadWhole("--layers", value, 1, 8); } },
+    { "--splits", "S", "of cascades: uniform, logarithmic, practical or sample-distribution",
+      [&](const std::string& value) {
+        settings.Splitting = Choose("--splits", value, SplitsNames());
+      } },
+    { "--lambda", "L", "of practical splits, from 0, uniform, to 1, logarithmic; default 0.5",
+      [&](const std::string& value) { settings.Lambda = ReadNumber("--lambda", value, 0, 1); } },
+    { "--blend-width", "B", "of the band where a cascade gives way to the next, of its depths",
+      [&](const std::string& value) {
+        settings.BlendWidth = ReadNumber("--blend-width", value, 0, 1);
+      } },
+    { "--faces", "on|off", "whether cascades are divided among the sides of the view frustum",
+      [&](const std::string& value) {
+        settings.SplitFaces = Choose<bool>("--faces", value, { { "on", true }, { "off", false } });
+      } },
+    { "--stable", "on|off", "whether cascades keep texels in place while the camera moves",
+      [&](const std::string& value) {
+        settings.Stable = Choose<bool>("--stable", value, { { "on", true }, { "off", false } });
+      } },
+    { "--warp", "W", "of each cascade: identity, rtw or notw",
+      [&](const std::string& value) {
+        settings.Warping = Choose("--warp", value, LayerWarpNames());
+      } },
     { "--stages", "", "print the milliseconds of each stage on the GPU",
       [&](const std::string&) { settings.Stages = true; } },
     { "--out", "DIR", "write pictures, masks and differences there",

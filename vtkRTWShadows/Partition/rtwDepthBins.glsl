@@ -1,0 +1,73 @@
+// What samples ask of a map, by their depth: where those of a bin of depths lie on the light plane, and their demand, the sum of one over
+// their footprint. Bins are even in ratio over the range that the light reaches.
+layout(local_size_x = 16, local_size_y = 16) in;
+layout(std430, binding = 0) readonly buffer Range
+{
+  uint rtwRange[];
+};
+layout(std430, binding = 1) buffer Bins
+{
+  uint rtwBins[]; // a bin: low s, low t, high s, high t, in an order that unsigned numbers share; demand along s and t, low and high part each
+};
+uniform int rtwLight;
+uniform vec4 rtwWholeBounds; // in shares of whose extent footprints are
+const float LARGEST = 1048575.0;
+shared uint rtwTile[BINS * BIN_SIZE];
+
+int rtwBinOf(float depth)
+{
+  vec2 range = uintBitsToFloat(uvec2(rtwRange[2 * rtwLight], rtwRange[2 * rtwLight + 1]));
+  range.x = max(range.x, 1e-6 * range.y);
+  float share = log2(depth / range.x) / max(log2(range.y / range.x), 1e-6);
+  return clamp(int(share * float(BINS)), 0, BINS - 1) * BIN_SIZE;
+}
+
+void rtwVisit(LitSample s)
+{
+  int bin = rtwBinOf(max(-s.position.z, 1e-30));
+  vec2 whole = rtwWholeBounds.zw - rtwWholeBounds.xy;
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    atomicMin(rtwTile[bin + axis], rtwOrdered(s.onLight[axis]));
+    atomicMax(rtwTile[bin + 2 + axis], rtwOrdered(s.onLight[axis]));
+    // A tile's samples don't overflow.
+    atomicAdd(rtwTile[bin + 4 + axis], uint(clamp(whole[axis] / max(s.footprint[axis], 1e-30), 1.0, LARGEST)));
+  }
+}
+
+void rtwFlush(int light, int bin)
+{
+  int to = (light * BINS + bin) * BIN_STRIDE;
+  int from = bin * BIN_SIZE;
+  if (rtwTile[from] > rtwTile[from + 2])
+  {
+    return;
+  }
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    atomicMin(rtwBins[to + axis], rtwTile[from + axis]);
+    atomicMax(rtwBins[to + 2 + axis], rtwTile[from + 2 + axis]);
+    uint low = rtwTile[from + 4 + axis];
+    uint before = atomicAdd(rtwBins[to + 4 + 2 * axis], low);
+    if (before > 0xffffffffu - low)
+    {
+      atomicAdd(rtwBins[to + 5 + 2 * axis], 1u);
+    }
+  }
+}
+
+void main()
+{
+  int me = int(gl_LocalInvocationIndex);
+  for (int i = me; i < BINS * BIN_SIZE; i += 256)
+  {
+    rtwTile[i] = i % BIN_SIZE < 2 ? 0xffffffffu : 0u;
+  }
+  barrier();
+  rtwVisitTile();
+  barrier();
+  if (me < BINS)
+  {
+    rtwFlush(rtwLight, me);
+  }
+}

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rtwDepthSplitStage.h"
+
+#include "rtwBackwardSample.h"
+#include "rtwDepthBins.h"
+#include "rtwDepthRange.h"
+#include "rtwDepthSplits.h"
+#include "rtwDrawing.h"
+#include "rtwLayerInterval.h"
+#include "rtwLightUniforms.h"
+#include "rtwLitSample.h"
+#include "rtwOpenGL.h"
+#include "rtwOrdered.h"
+#include "rtwSampleOfLayer.h"
+#include "rtwSamplePlace.h"
+#include "rtwSplitByBins.h"
+#include "rtwViewSampleAccess.h"
+#include "rtwViewSampler.h"
+#include "rtwWarpFocus.h"
+#include "rtwWarpTable.h"
+#include "rtwWriteIntervals.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+namespace rtw
+{
+namespace
+{
+constexpr int Tile = 64;                        // of rtwBackwardSample.glsl
+constexpr std::uint32_t Infinite = 0x7149f2cau; // 1e30f, as rtwDepthRange.glsl has it
+constexpr double Nowhere = 3e38;                // as rtwWriteIntervals.glsl has it
+constexpr int NumberOfBins = 128;
+constexpr int BinSize = 6;   // numbers of a bin in shared memory
+constexpr int BinStride = 8; // and in the buffer
+
+std::string BinDefinitions()
+{
+  return "#define BINS " + std::to_string(NumberOfBins) + "\n#define BIN_SIZE " +
+    std::to_string(BinSize) + "\n#define BIN_STRIDE " + std::to_string(BinStride) + "\n";
+}
+
+void DispatchTiles(const PartitionInput& input)
+{
+  Dispatch(Groups(Groups(input.Samples.GetWidth(), input.Stride), Tile),
+    Groups(Groups(input.Samples.GetHeight(), input.Stride), Tile));
+}
+}
+
+DepthSplitStage::DepthSplitStage(std::function<DepthSplitSettings()> settings)
+  : Settings(std::move(settings))
+{
+}
+
+bool DepthSplitStage::Build()
+{
+  const std::string bins = BinDefinitions();
+  return this->Ranging.Build({ { GL_COMPUTE_SHADER,
+           { rtwWarpFocus, rtwLayerInterval, rtwViewSampleAccess, rtwSamplePlace, rtwLitSample,
+             rtwSampleOfLayer, rtwBackwardSample, rtwDepthRange } } }) &&
+    this->Binning.Build({ { GL_COMPUTE_SHADER,
+      { bins.c_str(), rtwOrdered, rtwWarpFocus, rtwLayerInterval, rtwViewSampleAccess,
+        rtwSamplePlace, rtwLitSample, rtwSampleOfLayer, rtwBackwardSample, rtwDepthBins } } }) &&
+    this->Splitting.Build(
+      { { GL_COMPUTE_SHADER, { bins.c_str(), rtwOrdered, rtwSplitByBins } } }) &&
+    this->Writing.Build({ { GL_COMPUTE_SHADER, { rtwWarpFocus, rtwWriteIntervals } } });
+}
+
+std::string DepthSplitStage::GetLog() const
+{
+  return this->Ranging.GetLog() + this->Binning.GetLog() + this->Splitting.GetLog() +
+    this->Writing.GetLog();
+}
+
+// Whether splits don't go by view samples.
+bool DepthSplitStage::IsFixed(const PartitionInput& input) const
+{
+  return this->Settings().Steady || !input.FocusOnView;
+}
+
+std::vector<double> DepthSplitStage::FixedBorders(const PartitionInput& input) const
+{
+  const DepthSplitSettings settings = this->Settings();
+  return SplitDepths(this->Steady.at(input.Viewer), input.Parts / input.Faces, settings.Lambda);
+}
+
+void DepthSplitStage::WriteFixed(const PartitionInput& input, WarpTable& table) const
+{
+  const std::vector<double> borders = this->FixedBorders(input);
+  const double blend = this->Settings().Blend;
+  for (std::size_t layer = 0; layer < input.Frames.size() * input.Parts; ++layer)
+  {
+    const std::size_t k = layer % input.Parts / input.Faces;
+    const bool isLast = k + 2 == borders.size();
+    const double from = k == 0 ? 0 : borders[k];
+    table.WriteInterval(static_cast<int>(layer), { from, isLast ? Nowhere : borders[k + 1] },
+      k == 0 ? 0 : from - blend * (from - borders[k - 1]));
+  }
+}
+
+std::optional<Rectangle> DepthSplitStage::FocusOf(
+  const LightFrame& frame, const PartitionInput& input) const
+{
+  if (!this->IsFixed(input) || frame.Parts == 1)
+  {
+    return {};
+  }
+  const std::vector<double> borders = this->FixedBorders(input);
+  const int part = frame.Layer % frame.Parts / frame.Faces;
+  glm::dvec2 depths(borders[part], borders[part + 1]);
+  depths.x -= part == 0 ? 0 : this->Settings().Blend * (depths.x - borders[part - 1]);
+  return SteadyFocus(frame, input.Viewed, depths, input.Reach, input.Resolution);
+}
+
+void DepthSplitStage::FindRange(const PartitionInput& input, const WarpTable& table)
+{
+  std::vector<std::uint32_t> start;
+  for (std::size_t light = 0; light < input.Frames.size(); ++light)
+  {
+    start.insert(start.end(), { Infinite, 0u });
+  }
+  this->Range.Assign(start);
+  this->Ranging.Use();
+  input.Samples.Bind(this->Ranging);
+  table.Bind(this->Ranging);
+  this->Range.BindStorage(0);
+  for (std::size_t light = 0; light < input.Frames.size(); ++light)
+  {
+    BindLight(this->Ranging, input.Frames[light], input.Samples.GetView(), input.Stride);
+    this->Ranging.Set("rtwLight", static_cast<int>(light));
+    DispatchTiles(input);
+  }
+}
+
+void DepthSplitStage::SplitBySamples(const PartitionInput& input, const WarpTable& table)
+{
+  const std::vector<std::uint32_t> empty{ 0xffffffffu, 0xffffffffu, 0, 0, 0, 0, 0, 0 };
+  std::vector<std::uint32_t> start;
+  for (std::size_t bin = 0; bin < NumberOfBins * input.Frames.size(); ++bin)
+  {
+    start.insert(start.end(), empty.begin(), empty.end());
+  }
+  this->Bins.Assign(start);
+  this->Splits.Reserve(input.Frames.size() * MostLayers * sizeof(float));
+  this->Binning.Use();
+  input.Samples.Bind(this->Binning);
+  table.Bind(this->Binning);
+  this->Range.BindStorage(0);
+  this->Bins.BindStorage(1);
+  for (std::size_t light = 0; light < input.Frames.size(); ++light)
+  {
+    const Rectangle& b = input.Frames[light].Bounds;
+    BindLight(this->Binning, input.Frames[light], input.Samples.GetView(), input.Stride);
+    this->Binning.Set("rtwLight", static_cast<int>(light));
+    glUniform4f(this->Binning.Location("rtwWholeBounds"), float(b.Low.x), float(b.Low.y),
+      float(b.High.x), float(b.High.y));
+    DispatchTiles(input);
+  }
+  this->Splitting.Use();
+  this->Splits.BindStorage(2);
+  this->Splitting.Set("rtwParts", input.Parts / input.Faces);
+  Dispatch(static_cast<int>(input.Frames.size()));
+}
+
+void DepthSplitStage::Split(const PartitionInput& input, WarpTable& table)
+{
+  if (this->IsFixed(input))
+  {
+    glm::dvec2& range = this->Steady[input.Viewer];
+    range = SteadyRange(input.Viewed, range);
+    this->WriteFixed(input, table);
+    return;
+  }
+  const DepthSplitSettings settings = this->Settings();
+  this->FindRange(input, table);
+  const bool bySamples = settings.BySamples && input.Parts > input.Faces;
+  if (bySamples)
+  {
+    this->SplitBySamples(input, table);
+  }
+  this->Writing.Use();
+  table.Bind(this->Writing);
+  this->Range.BindStorage(0);
+  table.GetValues().BindStorage(1);
+  this->Splits.Reserve(sizeof(float));
+  this->Splits.BindStorage(2);
+  this->Writing.Set("rtwParts", input.Parts / input.Faces);
+  this->Writing.Set("rtwFaces", input.Faces);
+  this->Writing.Set("rtwSplitBySamples", bySamples ? 1 : 0);
+  this->Writing.Set("rtwLambda", static_cast<float>(settings.Lambda));
+  this->Writing.Set("rtwBlend", static_cast<float>(settings.Blend));
+  Dispatch(static_cast<int>(input.Frames.size()));
+}
+
+void DepthSplitStage::Release()
+{
+  this->Steady.clear();
+  for (Program* program : { &this->Ranging, &this->Binning, &this->Splitting, &this->Writing })
+  {
+    program->Release();
+  }
+  for (Buffer* buffer : { &this->Range, &this->Bins, &this->Splits })
+  {
+    buffer->Release();
+  }
+}
+
+void DepthSplitStage::Abandon()
+{
+  this->Steady.clear();
+  for (Program* program : { &this->Ranging, &this->Binning, &this->Splitting, &this->Writing })
+  {
+    program->Abandon();
+  }
+  for (Buffer* buffer : { &this->Range, &this->Bins, &this->Splits })
+  {
+    buffer->Abandon();
+  }
+}
+}

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Layers by depth along the view, split on the GPU by what view samples say, or so that they stay
+// in place.
+#ifndef rtwDepthSplitStage_h
+#define rtwDepthSplitStage_h
+
+#include "rtwBuffer.h"
+#include "rtwPartitionStage.h"
+#include "rtwProgram.h"
+
+#include <functional>
+#include <map>
+
+namespace rtw
+{
+struct DepthSplitSettings
+{
+  int Layers = 4;         ///< by depth
+  bool Faces = false;     ///< whether each is divided among the faces of the view frustum
+  bool BySamples = false; ///< where the least error is predicted
+  double Lambda = 1;      ///< otherwise: 1 even ratios of depth, 0 even steps
+  double Blend = 0;    ///< width of the band where two layers blend, of the nearer one's interval
+  bool Steady = false; ///< whether layers stay in place in the world
+};
+
+class DepthSplitStage : public PartitionStage
+{
+public:
+  static constexpr int MostLayers = 8; // as in rtwSplitByBins.glsl
+
+  explicit DepthSplitStage(std::function<DepthSplitSettings()> settings);
+  int GetNumberOfLayers() const override
+  {
+    return this->Settings().Layers * this->GetNumberOfFaces();
+  }
+  int GetNumberOfFaces() const override { return this->Settings().Faces ? 4 : 1; }
+  bool NeedsViewSamples() const override { return !this->Settings().Steady; }
+  bool Build() override;
+  std::string GetLog() const override;
+  void Split(const PartitionInput& input, WarpTable& table) override;
+  std::optional<Rectangle> FocusOf(
+    const LightFrame& frame, const PartitionInput& input) const override;
+  void Release() override;
+  void Abandon() override;
+
+private:
+  bool IsFixed(const PartitionInput& input) const;
+  std::vector<double> FixedBorders(const PartitionInput& input) const;
+  void WriteFixed(const PartitionInput& input, WarpTable& table) const;
+  void FindRange(const PartitionInput& input, const WarpTable& table);
+  void SplitBySamples(const PartitionInput& input, const WarpTable& table);
+
+  std::function<DepthSplitSettings()> Settings;
+  Program Ranging, Binning, Splitting, Writing;
+  Buffer Range, Bins, Splits;
+  std::map<const void*, glm::dvec2> Steady; ///< of each viewer
+};
+}
+
+#endif

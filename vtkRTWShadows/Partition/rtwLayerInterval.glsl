@@ -1,0 +1,45 @@
+// Which of a light's layers a point of the view belongs to: the one whose interval holds its distance along the view direction, and of the
+// faces of the view frustum that those depths may be divided among the one that a beam of light goes through there. Behind its focus in the
+// warp table stands a layer's interval: from and up to; and where the layer before begins to give way to this one.
+uniform int rtwFaces;     // 4, or 1: depths are not divided
+uniform vec4 rtwSides[4]; // of the view frustum, planes in view coordinates, positive outside
+
+vec2 rtwIntervalOf(int layer)
+{
+  return rtwWarpEntry(4 * layer, rtwWarpSize.x + 1);
+}
+
+float rtwBlendStart(int layer)
+{
+  return rtwWarpEntry(4 * layer + 1, rtwWarpSize.x + 1).x;
+}
+
+// Along the beam back towards the viewer, where it is that narrow beams of the image are (Lloyd et al. 2006, section 5.1): against the light
+// if that comes from behind, and with it if not. The near face is left out, as if the frustum began at the eye. `beam` is that way, or the
+// spot that it leads to, or from, and 1, or -1.
+int rtwFaceAt(vec3 p, vec4 beam)
+{
+  vec3 along = beam.xyz - beam.w * p;
+  int face = 0;
+  float nearest = 1e30;
+  for (int k = 0; k < 4; ++k)
+  {
+    float rate = dot(rtwSides[k].xyz, along);
+    float away = -dot(rtwSides[k], vec4(p, 1.0)) / rate;
+    bool isNearer = rate > 0.0 && away < nearest;
+    nearest = isNearer ? away : nearest;
+    face = isNearer ? k : face;
+  }
+  return face;
+}
+
+// Of so many layers from the first on.
+int rtwLayerAt(int first, int parts, vec3 p, vec4 beam)
+{
+  int layer = first;
+  for (int k = rtwFaces; k < parts; k += rtwFaces)
+  {
+    layer = -p.z >= rtwIntervalOf(first + k).x ? first + k : layer;
+  }
+  return rtwFaces == 1 ? layer : layer + rtwFaceAt(p, beam);
+}

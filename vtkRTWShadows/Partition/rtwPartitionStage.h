@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The contract of a partition: how many layers a light has, and what of the view each is for.
+//
+// Implemented by WholeViewStage (below) and DepthSplitStage.
+#ifndef rtwPartitionStage_h
+#define rtwPartitionStage_h
+
+#include "rtwFocus.h"
+#include "rtwLightFrame.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rtw
+{
+class ViewSampler;
+class WarpTable;
+struct View;
+
+struct PartitionInput
+{
+  const std::vector<LightFrame>& Frames; ///< one a light
+  const View& Viewed;
+  const void* Viewer;         ///< who looks, only compared with others
+  const ViewSampler& Samples; ///< where they are needed
+  int Stride = 1;
+  int Parts = 1;      ///< layers a light, GetNumberOfLayers() or fewer
+  int Faces = 1;      ///< of which so many have the same depths
+  int Resolution = 1; ///< of a layer
+  bool FocusOnView = true;
+  FilterReach Reach;
+};
+
+class PartitionStage
+{
+public:
+  virtual ~PartitionStage() = default;
+  virtual int GetNumberOfLayers() const = 0; ///< of a light
+  /// Of the view frustum that each depth is divided among; layers of a depth stand together.
+  virtual int GetNumberOfFaces() const { return 1; }
+  virtual bool NeedsViewSamples() const = 0;
+  /// Compiles; false, with the reason in GetLog(), where the driver can't.
+  virtual bool Build() = 0;
+  virtual std::string GetLog() const = 0;
+  /// Writes each layer's interval into the table; layers of a light stand together.
+  virtual void Split(const PartitionInput& input, WarpTable& table) = 0;
+  /// What the layer of a frame has to cover, where that doesn't go by view samples.
+  virtual std::optional<Rectangle> FocusOf(const LightFrame&, const PartitionInput&) const
+  {
+    return {};
+  }
+  virtual void Release() = 0;
+  virtual void Abandon() = 0;
+};
+
+class WholeViewStage : public PartitionStage
+{
+public:
+  int GetNumberOfLayers() const override { return 1; }
+  bool NeedsViewSamples() const override { return false; }
+  bool Build() override { return true; }
+  std::string GetLog() const override { return {}; }
+  void Split(const PartitionInput&, WarpTable&) override {}
+  void Release() override {}
+  void Abandon() override {}
+};
+}
+
+#endif

@@ -1,0 +1,53 @@
+// Splits what a light reaches by depth (Lloyd et al. 2006, equations 15 and 16; Zhang et al. 2006), into the warp table.
+layout(local_size_x = 1) in;
+layout(std430, binding = 0) readonly buffer Range
+{
+  uint rtwRange[];
+};
+layout(std430, binding = 1) buffer Table
+{
+  vec2 rtwTable[];
+};
+layout(std430, binding = 2) readonly buffer Splits
+{
+  float rtwSplits[]; // of those that samples decide: a light's, but the range's ends
+};
+uniform int rtwParts; // by depth
+uniform int rtwFaces; // layers of each
+uniform int rtwSplitBySamples;
+uniform float rtwLambda; // 1 even ratios, 0 even steps
+uniform float rtwBlend;  // width of the band in which two layers blend, of the nearer one's interval
+const float NOWHERE = 3e38;
+
+float rtwSplit(vec2 range, int k)
+{
+  if (rtwSplitBySamples != 0)
+  {
+    int place = int(gl_WorkGroupID.x) * (rtwParts - 1) + clamp(k - 1, 0, rtwParts - 2);
+    return k == 0 ? range.x : k == rtwParts ? range.y : rtwSplits[place];
+  }
+  float share = float(k) / float(rtwParts);
+  float ratio = range.x * pow(range.y / range.x, share);
+  return mix(mix(range.x, range.y, share), ratio, rtwLambda);
+}
+
+void main()
+{
+  int light = int(gl_WorkGroupID.x);
+  vec2 range = vec2(uintBitsToFloat(rtwRange[2 * light]), uintBitsToFloat(rtwRange[2 * light + 1]));
+  bool isAny = range.x <= range.y;
+  range.x = max(range.x, 1e-6 * range.y);
+  for (int k = 0; k < rtwParts; ++k)
+  {
+    // The first and the last hold what isn't among the samples, too.
+    float from = k == 0 ? 0.0 : isAny ? rtwSplit(range, k) : NOWHERE;
+    float to = k == rtwParts - 1 || !isAny ? NOWHERE : rtwSplit(range, k + 1);
+    float before = k == 0 ? 0.0 : from - rtwBlend * (from - rtwSplit(range, k - 1));
+    for (int face = 0; face < rtwFaces; ++face)
+    {
+      int layer = (light * rtwParts + k) * rtwFaces + face;
+      rtwTable[rtwWarpPlace(4 * layer, rtwWarpSize.x + 1)] = vec2(from, to);
+      rtwTable[rtwWarpPlace(4 * layer + 1, rtwWarpSize.x + 1)] = vec2(isAny ? before : from, 0.0);
+    }
+  }
+}
