@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The light plane turned to the minimal shadow frustum: shadows are as right as ever, with view
-// samples or without, and a map has no less texels for what is seen.
+// samples or without, and a map has no less texels for what is seen. With the argument
+// "all" six scenes.
+#include "rtwSceneStage.h"
 #include "rtwShadowStage.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
+#include "vtkShadowRenderStepsPass.h"
+#include "vtkUniformShadowMapPass.h"
 
 #include <iostream>
+#include <string>
 
 namespace
 {
@@ -78,10 +83,49 @@ void TestWhole()
   stage.Render();
   RTW_CHECK_SHADOWS(stage, sun, 0);
 }
+
+// Of the light plane, how much a map holds, beside one that isn't turned.
+void TestScene(const char* name)
+{
+  rtwSceneStage stage(name);
+  vtkNew<vtkUniformShadowMapPass> pass;
+  vtkNew<vtkShadowRenderStepsPass> steps;
+  steps->SetShadowMapPass(pass);
+  stage.Renderer->SetPass(steps);
+  double areas[2][2];
+  for (const bool samples : { false, true })
+  {
+    for (const bool turned : { false, true })
+    {
+      pass->SetFocusOnView(samples);
+      pass->SetLightPlaneTurn(turned ? vtkAdaptiveShadowMapPass::TURN_MINIMAL_FRUSTUM
+                                     : vtkAdaptiveShadowMapPass::TURN_OFF);
+      stage.Window->Render();
+      areas[samples][turned] =
+        1 / (pass->GetMaximumEffectiveResolution(0, 0) * pass->GetMaximumEffectiveResolution(0, 1));
+    }
+  }
+  steps->ReleaseGraphicsResources(stage.Window);
+  stage.Renderer->SetPass(nullptr);
+  std::cout << name << ": the minimal frustum has " << areas[0][1] / areas[0][0]
+            << " of the whole scene's area; around what is seen, so turned, "
+            << areas[1][1] / areas[1][0] << " of the area without a turn" << std::endl;
+  RTW_CHECK(areas[0][1] <= 1.001 * areas[0][0]);
+  RTW_CHECK(areas[1][1] <= 1.001 * areas[0][1]); // what is seen lies in it
+}
 }
 
-int TestLightPlaneMinimal(int, char*[])
+int TestLightPlaneMinimal(int argc, char* argv[])
 {
+  const bool all = argc > 1 && std::string(argv[1]) == "all";
+  int scenes = 0;
+  for (const char* name : { "town", "duel", "robot", "sandbox", "furball", "playground" })
+  {
+    if (all || scenes++ < 2)
+    {
+      TestScene(name);
+    }
+  }
   TestFocus(rtwTechnique::Uniform, rtwChain::Steps, false);
   TestFocus(rtwTechnique::Uniform, rtwChain::Classic, true);
   TestFocus(rtwTechnique::RTW, rtwChain::Steps, true);
