@@ -55,6 +55,8 @@ constexpr std::size_t CoverBytes = 32;
 // What is set up at a time, so that the memory which that takes is bounded.
 constexpr int MostClusters = 128;
 constexpr std::size_t MostCovers = 3072; // of a cluster
+// Tiles have the room of all together, and some clusters' few large triangles need thousands.
+constexpr int MostClustersInTiles = 32;
 constexpr std::size_t FinePatches =
   (PatchClasses - 1) * MostTriangles;      // of all classes but the last
 constexpr std::size_t BentDrawOffset = 16; // in a cluster's work
@@ -295,9 +297,10 @@ void CasterDrawing::Draw(const GeometryStore& store, const WarpTable& table,
   }
   const Layer layer{ store, table, frame, index, options };
   this->Focus(layer);
-  for (int first = 0; first < store.GetNumberOfDraws(); first += MostClusters)
+  const int most = this->InTiles ? MostClustersInTiles : MostClusters;
+  for (int first = 0; first < store.GetNumberOfDraws(); first += most)
   {
-    const int end = std::min(first + MostClusters, store.GetNumberOfDraws());
+    const int end = std::min(first + most, store.GetNumberOfDraws());
     this->Cull(layer, first, end);
     this->SetUp(layer, end - first);
     this->DrawTriangles(layer, end - first);
