@@ -22,8 +22,12 @@ struct Contestant
   bool LeadsIn = false; // whether a frame that does not count goes before those of each place,
                         // for what looks at the last frame
 
-  /// Whether its frames take seconds in software, so that it takes part when it is named.
-  bool IsSlow() const { return this->Technique == "notw"; }
+  /// Whether it takes part only where it is named: with all techniques a run would take an hour.
+  bool IsOnlyByName() const
+  {
+    return this->Technique == "notw" || this->Technique == "perspective" ||
+      this->Technique == "cascades" || this->Technique == "exact";
+  }
 
   /// As in "technique:rtw/variant:linear".
   std::string Name() const;

@@ -111,7 +111,7 @@ std::vector<Contestant> Matching(const Setup& setup, const Options& options)
     const auto& asked = options.Techniques;
     const bool isYardstick = contestant.Technique.empty() || contestant.Technique == "vtk";
     return std::regex_search(setup.LineName(contestant), filter) &&
-      (isYardstick || (asked.empty() && !contestant.IsSlow()) ||
+      (isYardstick || (asked.empty() && !contestant.IsOnlyByName()) ||
         std::find(asked.begin(), asked.end(), contestant.Technique) != asked.end());
   };
   if (std::none_of(setup.Who.begin(), setup.Who.end(), isAsked))

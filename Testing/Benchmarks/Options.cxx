@@ -39,7 +39,9 @@ std::vector<rtw::CommandLineOption> Entries(Options& options)
       [&](const std::string& value) {
         options.Scenes = ReadNames("--scene", value, SetupSceneNames());
       } },
-    { "--technique", "NAME,...", "besides VTK's own; default all but notw, which is slow",
+    { "--technique", "NAME,...",
+      "besides VTK's own; default uniform and rtw; notw,\n"
+      "perspective, cascades and exact take part where they are named",
       [&](const std::string& value) {
         options.Techniques = ReadNames("--technique", value, TechniqueNames());
       } },
