@@ -88,6 +88,34 @@ struct Deep : rtwShadowStage
   rtw::Truth Truth;
 };
 
+// A floor takes the same texels whatever triangles it is of: none is left out at their edges.
+void TestMaps()
+{
+  std::vector<float> expected;
+  for (const int cells : { 1, 3, 10, 31, 100 })
+  {
+    Deep stage(cells);
+    stage.Render();
+    const vtkSmartPointer<vtkImageData> map = stage.Pass->GetShadowMapImage(0);
+    const auto* depths = static_cast<float*>(map->GetScalarPointer());
+    const std::vector<float> found(depths, depths + map->GetNumberOfPoints());
+    if (expected.empty())
+    {
+      expected = found;
+    }
+    int holes = 0, empty = 0;
+    for (std::size_t i = 0; i < found.size(); ++i)
+    {
+      empty += found[i] == 1;
+      holes += (found[i] == 1) != (expected[i] == 1);
+    }
+    std::cout << "map of a floor of " << 2 * cells * cells << ": " << holes << " holes, "
+              << empty << " empty" << std::endl;
+    RTW_CHECK(empty < 0.5 * double(found.size()));
+    RTW_CHECK(holes <= 4); // by rounding, at the floor's end
+  }
+}
+
 // Triangles that the warp bends a lot are as right as small ones.
 void TestRasterization()
 {
@@ -324,6 +352,7 @@ int TestNoTW(int, char*[])
   TestLights(rtwChain::Classic);
   TestGlyphs();
   TestRasterization();
+  TestMaps();
   TestImportance();
   TestAutomaticSmoothing();
   TestSettings();
