@@ -51,7 +51,8 @@ public:
   ///@{
   /**
    * One of SplitSchemes; any other value is refused with an error. Default:
-   * SAMPLE_DISTRIBUTION, which has the least error on all scenes tried.
+   * SAMPLE_DISTRIBUTION, which has less error than LOGARITHMIC on five of six scenes, by 2 to 18 %,
+   * and 3 % more on one.
    */
   virtual void SetSplitScheme(int scheme);
   vtkGetMacro(SplitScheme, int);
