@@ -2,14 +2,13 @@
 // Non-orthogonal texture warping beside exact rays: lights of both kinds and several of them, what
 // only VTK's mappers draw, floors of two triangles, the ways of rasterizing, and its settings.
 #include "rtwDebugViews.h"
+#include "rtwDeepStage.h"
 #include "rtwNonOrthogonalWarp.h"
 
-#include "vtkCamera.h"
 #include "vtkImageData.h"
 #include "vtkLightCollection.h"
 #include "vtkNonOrthogonalShadowMapWarp.h"
 #include "vtkNoTWShadowMapPass.h"
-#include "vtkPlaneSource.h"
 
 #include <algorithm>
 #include <cmath>
@@ -49,43 +48,18 @@ void TestGlyphs()
   RTW_CHECK_SHADOWS(stage, sun, 0);
 }
 
-// Boxes on a floor of so many triangles that reaches to the horizon.
-struct Deep : rtwShadowStage
+struct Deep : rtwDeepStage
 {
   explicit Deep(int floorCells)
-    : rtwShadowStage(rtwTechnique::NoTW)
+    : rtwDeepStage(rtwTechnique::NoTW, floorCells)
   {
-    constexpr double side = 300;
-    vtkNew<vtkPlaneSource> floor;
-    floor->SetOrigin(-side / 2, 0, side / 2);
-    floor->SetPoint1(side / 2, 0, side / 2);
-    floor->SetPoint2(-side / 2, 0, -side / 2);
-    floor->SetResolution(floorCells, floorCells);
-    this->Add(floor);
-    for (int i = 0; i < 12; ++i)
-    {
-      this->AddBox(4.0 * (i % 3) - 5.0, 1.0, 2.0 - 9.0 * i, 2.0);
-    }
-    this->Sun = this->AddSun(3, 4, 2);
-    vtkCamera* camera = this->Renderer->GetActiveCamera();
-    camera->SetPosition(0, 2.2, 12);
-    camera->SetFocalPoint(0, 1.5, 0);
-    this->Renderer->ResetCameraClippingRange();
-    this->Pass->SetResolution(512);
-    this->Truth = this->Trace(this->Sun);
   }
 
   double Measure(const char* name)
   {
-    this->Render();
-    const rtw::ShadowErrors errors = rtw::Compare(this->GetMask(0), this->Truth);
-    std::cout << name << ": " << errors.Percent(errors.Wrong()) << " % wrong, "
-              << errors.Percent(errors.FarFromEdge) << " % far from edges" << std::endl;
+    const rtw::ShadowErrors errors = this->Compare(name);
     return errors.Percent(errors.Wrong());
   }
-
-  vtkLight* Sun;
-  rtw::Truth Truth;
 };
 
 // A floor takes the same texels whatever triangles it is of: none is left out at their edges.

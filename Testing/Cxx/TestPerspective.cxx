@@ -3,6 +3,7 @@
 // mappers draw, triangles that reach behind the viewer, each parameterization beside its twin in
 // double precision, lights that pass through the line of sight, and bad input.
 #include "rtwDebugViews.h"
+#include "rtwDeepStage.h"
 
 #include "rtwMapTexels.h"
 #include "rtwPerspectiveWarp.h"
@@ -14,7 +15,6 @@
 #include "vtkMatrix4x4.h"
 #include "vtkPerspectiveShadowMapPass.h"
 #include "vtkPerspectiveShadowMapWarp.h"
-#include "vtkPlaneSource.h"
 #include "vtkProperty.h"
 
 #include <algorithm>
@@ -58,39 +58,11 @@ void TestGlyphs()
   RTW_CHECK_SHADOWS(stage, sun, 0);
 }
 
-// Boxes on a floor of so many triangles, from far behind the viewer to the horizon.
-struct Deep : rtwShadowStage
+struct Deep : rtwDeepStage
 {
   explicit Deep(int floorCells)
-    : rtwShadowStage(rtwTechnique::Perspective)
+    : rtwDeepStage(rtwTechnique::Perspective, floorCells)
   {
-    constexpr double side = 300;
-    vtkNew<vtkPlaneSource> floor;
-    floor->SetOrigin(-side / 2, 0, side / 2);
-    floor->SetPoint1(side / 2, 0, side / 2);
-    floor->SetPoint2(-side / 2, 0, -side / 2);
-    floor->SetResolution(floorCells, floorCells);
-    this->Add(floor);
-    for (int i = 0; i < 12; ++i)
-    {
-      this->AddBox(4.0 * (i % 3) - 5.0, 1.0, 2.0 - 9.0 * i, 2.0);
-    }
-    this->Sun = this->AddSun(3, 4, 2);
-    vtkCamera* camera = this->Renderer->GetActiveCamera();
-    camera->SetPosition(0, 2.2, 12);
-    camera->SetFocalPoint(0, 1.5, 0);
-    this->Renderer->ResetCameraClippingRange();
-    this->Pass->SetResolution(512);
-    this->Truth = this->Trace(this->Sun);
-  }
-
-  rtw::ShadowErrors Compare(const char* name)
-  {
-    this->Render();
-    const rtw::ShadowErrors errors = rtw::Compare(this->GetMask(0), this->Truth);
-    std::cout << name << ": " << errors.Percent(errors.Wrong()) << " % wrong, "
-              << errors.Percent(errors.FarFromEdge) << " % far from edges" << std::endl;
-    return errors;
   }
 
   double Measure(const char* name)
@@ -99,9 +71,6 @@ struct Deep : rtwShadowStage
     RTW_CHECK(errors.Percent(errors.FarFromEdge) < 0.02);
     return errors.Percent(errors.Wrong());
   }
-
-  vtkLight* Sun;
-  rtw::Truth Truth;
 };
 
 // Edges stay straight, so that all ways to rasterize are one; and triangles that reach behind the

@@ -8,44 +8,9 @@
 #include "vtkOpenGLRenderWindow.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace rtw
 {
-namespace
-{
-constexpr double ResampledMargin = 0.05; // of the focus, for what the last frame has not seen
-}
-
-Rectangle ShadowPipeline::UnsampledReceivers(
-  const FrameScene& scene, const LightFrame& frame, double beyond)
-{
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  Rectangle bounds{ glm::dvec2(infinity), glm::dvec2(-infinity) };
-  for (const glm::dvec3& corner : scene.UnsampledReceivers)
-  {
-    const glm::dvec2 l = frame.Project(corner);
-    // Behind a spot: no light falls there, but the box may reach anywhere.
-    bounds.Low = glm::min(bounds.Low, l.x < infinity ? l : frame.Bounds.Low);
-    bounds.High = glm::max(bounds.High, l.x < infinity ? l : frame.Bounds.High);
-  }
-  const bool isSpot = frame.Light.Kind == LightKind::Spot;
-  const double margin = isSpot ? beyond / frame.NearestDistance : beyond;
-  return { glm::max(bounds.Low - margin, frame.Bounds.Low),
-    glm::min(bounds.High + margin, frame.Bounds.High) };
-}
-
-std::vector<Rectangle> ShadowPipeline::UnsampledReceiversOfAll(
-  const FrameScene& scene, double beyond) const
-{
-  std::vector<Rectangle> bounds;
-  for (const LightFrame& frame : this->LayerFrames)
-  {
-    bounds.push_back(UnsampledReceivers(scene, frame, beyond));
-  }
-  return bounds;
-}
-
 bool ShadowPipeline::NeedsViewSamples(const PipelineOptions& options) const
 {
   return this->OwnDrawing &&
@@ -72,114 +37,6 @@ void ShadowPipeline::CaptureFrame(const PipelineOptions& options)
     StateGuard guard(this->Window);
     this->Last.Capture(this->Viewed, this->LastSignature);
   }
-}
-
-// All that can be seen, as far as that is known without view samples.
-Rectangle ShadowPipeline::WithoutSamples(std::size_t light, const FilterReach& reach) const
-{
-  const LightFrame& frame = this->Frames[light];
-  if (!this->Minimal[light])
-  {
-    return frame.Bounds;
-  }
-  const Rectangle& seen = *this->Minimal[light];
-  const bool isSpot = frame.Light.Kind == LightKind::Spot;
-  const glm::dvec2 margin = (isSpot ? reach.World / frame.NearestDistance : reach.World) +
-    reach.Share * (seen.High - seen.Low);
-  const Rectangle focus{ glm::max(seen.Low - margin, frame.Bounds.Low),
-    glm::min(seen.High + margin, frame.Bounds.High) };
-  const bool isAny = focus.Low.x < focus.High.x && focus.Low.y < focus.High.y;
-  return isAny ? focus : frame.Bounds;
-}
-
-FilterReach ShadowPipeline::GetReach(const PipelineOptions& options) const
-{
-  return { options.Lookup.FilterWorld,
-    options.Lookup.FilterTexels / double(options.Resolution) +
-      (this->Resampled ? ResampledMargin : 0) };
-}
-
-PartitionInput ShadowPipeline::MakePartitionInput(const PipelineOptions& options) const
-{
-  return { this->Frames, this->Viewed, options.Viewer, this->Sampler, this->GetFocusStride(options),
-    this->LayerFrames.front().Parts, this->LayerFrames.front().Faces, options.Resolution,
-    options.FocusOnView, this->GetReach(options) };
-}
-
-// What each layer is for, into the warp table.
-void ShadowPipeline::Split(const PipelineOptions& options)
-{
-  if (this->LayerFrames.front().Parts > 1)
-  {
-    StageTimers::Scope timer(this->Timers, "partition");
-    this->Partition->Split(this->MakePartitionInput(options), this->Table);
-  }
-}
-
-// Into the warp table.
-void ShadowPipeline::FindFocus(const FrameScene& scene, const PipelineOptions& options)
-{
-  const FilterReach reach = this->GetReach(options);
-  const PartitionInput input = this->MakePartitionInput(options);
-  const std::vector<Rectangle> unsampled = this->UnsampledReceiversOfAll(scene, reach.World);
-  if (this->Partition->FocusOf(this->LayerFrames.front(), input))
-  {
-    for (const LightFrame& frame : this->LayerFrames)
-    {
-      this->Table.WriteFocus(frame.Layer, *this->Partition->FocusOf(frame, input));
-    }
-  }
-  else if (options.FocusOnView && this->OwnDrawing)
-  {
-    StageTimers::Scope timer(this->Timers, "focus");
-    this->Focus.Reduce(this->LayerFrames, unsampled, scene.UnsampledReceivers, this->Sampler,
-      this->GetFocusStride(options), reach, this->Table);
-  }
-  else
-  {
-    for (const LightFrame& frame : this->LayerFrames)
-    {
-      this->Table.WriteFocus(frame.Layer, this->WithoutSamples(frame.Number(), reach));
-    }
-  }
-  this->Table.ShareFocus(this->OtherLayers);
-  for (int layer = 0; layer < this->OtherLayers; ++layer)
-  {
-    this->Table.WriteIdentity(this->CountLayers() + layer);
-  }
-}
-
-// For a frame to come.
-void ShadowPipeline::AskForTurns(
-  const FrameScene& scene, const PipelineOptions& options, const Texture* mask)
-{
-  if (!this->Turns.IsToAsk(this->LastSignature))
-  {
-    return;
-  }
-  StageTimers::Scope timer(this->Timers, "light plane turn");
-  std::vector<TurnedLight> lights;
-  for (std::size_t i = 0; i < this->Frames.size(); ++i)
-  {
-    const LightFrame& frame = this->Frames[i];
-    const bool isWhole = !options.FocusOnView && frame.Light.Kind == LightKind::Directional;
-    TurnedLight light{ frame, {}, {}, {} };
-    for (const double turn : this->Turns.GetCandidates(i))
-    {
-      light.By.push_back(turn - this->DrawnTurns[i]);
-      const LightFrame turned =
-        isWhole ? this->MakeFrame(scene, frame.Light, turn) : Turned(frame, light.By.back());
-      light.Bounds.push_back(turned.Bounds);
-      light.Kept.push_back(options.FocusOnView
-          ? UnsampledReceivers(scene, turned, options.Lookup.FilterWorld)
-          : turned.Bounds);
-    }
-    lights.push_back(light);
-  }
-  this->Turns.Ask(lights,
-    { this->Sampler, this->GetStride(options), mask, options.Resolution,
-      this->Warp->NeedsViewSamples() },
-    this->LastSignature);
 }
 
 // What mappers draw is as unwarped in a light's image as in their own layers.
