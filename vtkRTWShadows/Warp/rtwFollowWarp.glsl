@@ -57,15 +57,7 @@ float rtwLastError(int cells)
     // What was culled must not be wanted.
     error += k < 2.0 * rtwLeast && p >= 2.0 * rtwLeast ? 1e30 : p * p / k;
   }
-  rtwPartial[me] = error;
-  barrier();
-  float all = 0.0;
-  for (int i = 0; i < GROUP; ++i)
-  {
-    all += rtwPartial[i];
-  }
-  barrier();
-  return all;
+  return totalOf(error);
 }
 
 void snapToLast(int cells)

@@ -10,15 +10,10 @@ shared float rtwPartial[GROUP];
 
 int me = int(gl_LocalInvocationIndex);
 
-// Of all values, in every invocation.
-float total(int cells)
+// Of what the invocations have, in each of them.
+float totalOf(float mine)
 {
-  float sum = 0.0;
-  for (int i = me; i < cells; i += GROUP)
-  {
-    sum += rtwValues[i];
-  }
-  rtwPartial[me] = sum;
+  rtwPartial[me] = mine;
   barrier();
   float all = 0.0;
   for (int i = 0; i < GROUP; ++i)
@@ -27,6 +22,16 @@ float total(int cells)
   }
   barrier();
   return all;
+}
+
+float total(int cells)
+{
+  float sum = 0.0;
+  for (int i = me; i < cells; i += GROUP)
+  {
+    sum += rtwValues[i];
+  }
+  return totalOf(sum);
 }
 
 void blur(int cells)
