@@ -80,6 +80,12 @@ void Buffer::BindStorage(unsigned int binding) const
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, this->Id);
 }
 
+void Buffer::BindUniforms(unsigned int binding, std::size_t offset, std::size_t bytes) const
+{
+  glBindBufferRange(GL_UNIFORM_BUFFER, binding, this->Id, static_cast<GLintptr>(offset),
+    static_cast<GLsizeiptr>(bytes));
+}
+
 void Buffer::Bind(unsigned int target) const
 {
   glBindBuffer(target, this->Id);

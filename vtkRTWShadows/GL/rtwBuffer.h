@@ -29,6 +29,7 @@ public:
   }
   void Clear(); ///< fills it with zeros
   void BindStorage(unsigned int binding) const;
+  void BindUniforms(unsigned int binding, std::size_t offset, std::size_t bytes) const;
   void Bind(unsigned int target) const;
   void Release();
   /// Forgets the handle of a context that is gone.

@@ -54,8 +54,7 @@ void TexelBuffer::Unbind(int unit) const
 
 void TexelBuffer::BindUniforms(unsigned int binding, std::size_t offset, std::size_t bytes) const
 {
-  glBindBufferRange(GL_UNIFORM_BUFFER, binding, this->Values.GetId(),
-    static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes));
+  this->Values.BindUniforms(binding, offset, bytes);
 }
 
 void TexelBuffer::Release()

@@ -11,12 +11,14 @@
 namespace rtw
 {
 class DenseLayers;
+class LayerBlocks;
 class Texture;
 class ViewSampler;
 
 struct AnalysisInput
 {
   const ViewSampler& Samples;
+  const LayerBlocks& Blocks;
   int Stride = 1;       ///< every how many pixels there is a sample
   double SceneSize = 0; ///< its diagonal
   const DenseLayers* LightImages =

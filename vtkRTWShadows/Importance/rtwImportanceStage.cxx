@@ -12,17 +12,20 @@
 #include "rtwEdgesOfMask.h"
 #include "rtwForwardSample.h"
 #include "rtwImportance.h"
+#include "rtwLayerBlocks.h"
 #include "rtwLayerInterval.h"
 #include "rtwLightImage.h"
 #include "rtwLightUniforms.h"
 #include "rtwLitSample.h"
 #include "rtwOpenGL.h"
+#include "rtwSampleBlocks.h"
 #include "rtwSampleOfLayer.h"
 #include "rtwSamplePlace.h"
 #include "rtwTexture.h"
 #include "rtwUserFunction.h"
 #include "rtwViewSampleAccess.h"
 #include "rtwViewSampler.h"
+#include "rtwVisitSamples.h"
 #include "rtwWarpFocus.h"
 #include "rtwWarpTable.h"
 
@@ -35,7 +38,6 @@ namespace rtw
 {
 namespace
 {
-constexpr int Tile = 64;  // of rtwBackwardSample.glsl
 constexpr int Group = 16; // of rtwImportance.glsl
 constexpr int DepthUnit = 1;
 constexpr int GradientUnit = 2;
@@ -127,7 +129,8 @@ bool ImportanceStage::Compile(const Shape& shape, Program& program)
     { definitions.c_str(), rtwWarpFocus, rtwLayerInterval, rtwViewSampleAccess, rtwLitSample,
       rtwSampleOfLayer, image ? rtwLightImage : "", rtwUserFunction, body.c_str(), rtwImportance,
       shape.Forward ? "" : rtwSamplePlace, shape.Forward ? rtwForwardSample : rtwBackwardSample,
-      edges, shape.Forward ? rtwCollectImage : rtwCollectView } } });
+      shape.Forward ? "" : rtwSampleBlocks, shape.Forward ? "" : rtwVisitSamples, edges,
+      shape.Forward ? rtwCollectImage : rtwCollectView } } });
 }
 
 bool ImportanceStage::Build()
@@ -251,7 +254,7 @@ void ImportanceStage::Analyse(const std::vector<LightFrame>& frames,
   for (std::size_t layer = 0; layer < frames.size(); ++layer)
   {
     this->SetLayer(frames[layer], static_cast<int>(layer), settings, input);
-    this->Collect(input);
+    this->Collect(input, static_cast<int>(layer));
   }
   for (const auto& [texture, unit] : textures)
   {
@@ -265,7 +268,7 @@ double ImportanceStage::GetUnit() const
   return this->InForce.Forward ? counted / ForwardUnit : counted;
 }
 
-void ImportanceStage::Collect(const AnalysisInput& input) const
+void ImportanceStage::Collect(const AnalysisInput& input, int layer) const
 {
   if (this->InForce.Forward)
   {
@@ -273,8 +276,7 @@ void ImportanceStage::Collect(const AnalysisInput& input) const
     Dispatch(Groups(side, Group), Groups(side, Group));
     return;
   }
-  Dispatch(Groups(Groups(input.Samples.GetWidth(), input.Stride), Tile),
-    Groups(Groups(input.Samples.GetHeight(), input.Stride), Tile));
+  input.Blocks.Dispatch(*this->Analysing, input.Samples, input.Stride, layer);
 }
 
 void ImportanceStage::Release()

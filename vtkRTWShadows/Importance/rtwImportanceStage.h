@@ -111,7 +111,7 @@ private:
   void Set(const ImportanceSettings& settings, const AnalysisInput& input) const;
   void SetLayer(const LightFrame& frame, int layer, const ImportanceSettings& settings,
     const AnalysisInput& input) const;
-  void Collect(const AnalysisInput& input) const;
+  void Collect(const AnalysisInput& input, int layer) const;
 
   std::function<void(const std::string&)> Refused;
   std::unique_ptr<Program> Analysing;

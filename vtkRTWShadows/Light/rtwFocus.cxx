@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rtwFocus.h"
 
-#include "rtwBackwardSample.h"
 #include "rtwDrawing.h"
 #include "rtwFocusBounds.h"
 #include "rtwFocusBoxes.h"
-#include "rtwFocusReduction.h"
 #include "rtwFocusWrite.h"
 #include "rtwLayerInterval.h"
 #include "rtwLightUniforms.h"
@@ -13,9 +11,6 @@
 #include "rtwOpenGL.h"
 #include "rtwOrdered.h"
 #include "rtwPlacedOnPlane.h"
-#include "rtwSampleOfLayer.h"
-#include "rtwSamplePlace.h"
-#include "rtwViewSampleAccess.h"
 #include "rtwViewSampler.h"
 #include "rtwWarpFocus.h"
 #include "rtwWarpTable.h"
@@ -28,7 +23,6 @@ namespace rtw
 namespace
 {
 constexpr float Margin = 1e-4f; // of the focus' extent, for rounding
-constexpr int Tile = 64;        // as in rtwBackwardSample.glsl
 
 // An order that floats and unsigned integers share, as in the shader.
 std::uint32_t Ordered(double value)
@@ -49,10 +43,7 @@ void SetWholeBounds(const Program& program, const LightFrame& frame)
 
 bool FocusStage::Build()
 {
-  return this->Reduction.Build({ { GL_COMPUTE_SHADER,
-           { rtwWarpFocus, rtwLayerInterval, rtwViewSampleAccess, rtwSamplePlace, rtwLitSample,
-             rtwSampleOfLayer, rtwBackwardSample, rtwOrdered, rtwFocusBounds,
-             rtwPlacedOnPlane, rtwFocusReduction } } }) &&
+  return this->Samples.Build(rtwPlacedOnPlane) &&
     this->BoxAdding.Build({ { GL_COMPUTE_SHADER,
       { rtwWarpFocus, rtwLayerInterval, rtwLitSample, rtwOrdered, rtwFocusBounds,
         rtwFocusBoxes } } }) &&
@@ -61,7 +52,7 @@ bool FocusStage::Build()
 
 std::string FocusStage::GetLog() const
 {
-  return this->Reduction.GetLog() + this->BoxAdding.GetLog() + this->Writing.GetLog();
+  return this->Samples.GetLog() + this->BoxAdding.GetLog() + this->Writing.GetLog();
 }
 
 // In view coordinates: what of them lies in the depths of each layer.
@@ -91,9 +82,18 @@ void FocusStage::AddBoxes(const std::vector<LightFrame>& frames,
   }
 }
 
+void FocusStage::Bound(
+  const std::vector<LightFrame>& lights, const BoundedSamples& input, int parts)
+{
+  this->Samples.Start(input, static_cast<int>(lights.size()), parts);
+  for (std::size_t light = 0; light < lights.size(); ++light)
+  {
+    this->Samples.Bound(input, lights[light], static_cast<int>(light), lights[light].Bounds);
+  }
+}
+
 void FocusStage::Reduce(const std::vector<LightFrame>& frames, const std::vector<Rectangle>& also,
-  const std::vector<glm::dvec3>& boxes, const ViewSampler& samples, int stride,
-  const FilterReach& filter, const WarpTable& table)
+  const std::vector<glm::dvec3>& boxes, const BoundedSamples& input, const FilterReach& filter)
 {
   std::vector<std::uint32_t> start;
   for (std::size_t layer = 0; layer < frames.size(); ++layer)
@@ -111,34 +111,21 @@ void FocusStage::Reduce(const std::vector<LightFrame>& frames, const std::vector
     start.insert(start.end(), { 0xffffffffu, 0xffffffffu, 0u, 0u });
   }
   this->Bounds.Assign(start);
-  this->Bounds.BindStorage(0);
-  this->Reduction.Use();
-  samples.Bind(this->Reduction);
-  table.Bind(this->Reduction);
-  this->Reduction.Set("rtwFilterWidth", float(filter.World));
-  const int columns = Groups(Groups(samples.GetWidth(), stride), Tile);
-  const int rows = Groups(Groups(samples.GetHeight(), stride), Tile);
-  this->Tiles.Reserve(sizeof(glm::vec4) * columns * rows);
-  this->Tiles.BindStorage(1);
-  for (std::size_t layer = 0; layer < frames.size(); ++layer)
+  this->Blocks.Start(static_cast<int>(frames.size()), input.Samples, input.Stride);
+  const int parts = frames.front().Parts;
+  for (std::size_t layer = 0; layer < frames.size(); layer += parts)
   {
-    BindLight(this->Reduction, frames[layer], samples.GetView(), stride);
-    SetWholeBounds(this->Reduction, frames[layer]);
-    this->Reduction.Set("rtwLayer", static_cast<int>(layer));
-    for (int pass = 0; pass < (stride > 1 ? 2 : 1); ++pass)
-    {
-      this->Reduction.Set("rtwClosely", pass);
-      Dispatch(columns, rows);
-    }
+    this->Samples.Unite(input, frames[layer], frames[layer].Number(), parts, frames[layer].Bounds,
+      this->Bounds, &this->Blocks);
   }
-  if (frames.front().Parts > 1 && !boxes.empty())
+  if (parts > 1 && !boxes.empty())
   {
-    this->AddBoxes(frames, boxes, samples.GetView(), filter, table);
+    this->AddBoxes(frames, boxes, input.Samples.GetView(), filter, input.Table);
   }
   this->Writing.Use();
-  table.Bind(this->Writing);
+  input.Table.Bind(this->Writing);
   this->Bounds.BindStorage(0);
-  table.GetValues().BindStorage(1);
+  input.Table.GetValues().BindStorage(1);
   for (std::size_t layer = 0; layer < frames.size(); ++layer)
   {
     SetWholeBounds(this->Writing, frames[layer]);
@@ -151,21 +138,21 @@ void FocusStage::Reduce(const std::vector<LightFrame>& frames, const std::vector
 
 void FocusStage::Release()
 {
-  this->Reduction.Release();
+  this->Samples.Release();
   this->BoxAdding.Release();
   this->Boxes.Release();
   this->Writing.Release();
   this->Bounds.Release();
-  this->Tiles.Release();
+  this->Blocks.Release();
 }
 
 void FocusStage::Abandon()
 {
-  this->Reduction.Abandon();
+  this->Samples.Abandon();
   this->BoxAdding.Abandon();
   this->Boxes.Abandon();
   this->Writing.Abandon();
   this->Bounds.Abandon();
-  this->Tiles.Abandon();
+  this->Blocks.Abandon();
 }
 }

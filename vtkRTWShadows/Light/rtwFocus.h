@@ -4,15 +4,16 @@
 #define rtwFocus_h
 
 #include "rtwBuffer.h"
+#include "rtwLayerBlocks.h"
 #include "rtwLightFrame.h"
 #include "rtwProgram.h"
+#include "rtwSampleBounds.h"
 
 #include <string>
 #include <vector>
 
 namespace rtw
 {
-class ViewSampler;
 class WarpTable;
 struct View;
 
@@ -28,12 +29,21 @@ class FocusStage
 public:
   bool Build();
   std::string GetLog() const;
+  /// Bounds what the camera sees in each light, for Reduce() and for whoever splits it by depth
+  /// into so many layers.
+  void Bound(const std::vector<LightFrame>& lights, const BoundedSamples& input, int parts);
+  /// As SampleBounds::GetRange().
+  const Buffer& GetRange() const { return this->Samples.GetRange(); }
   /// One frame a layer. `also` are rectangles that a light's only layer must hold too: receivers
   /// that aren't sampled. Of several layers each holds what lies in its depths of their boxes,
   /// given by eight corners each.
   void Reduce(const std::vector<LightFrame>& frames, const std::vector<Rectangle>& also,
-    const std::vector<glm::dvec3>& boxes, const ViewSampler& samples, int stride,
-    const FilterReach& filter, const WarpTable& table);
+    const std::vector<glm::dvec3>& boxes, const BoundedSamples& input, const FilterReach& filter);
+  /// Where each layer has samples, by the last Reduce().
+  const LayerBlocks& GetBlocks() const { return this->Blocks; }
+  /// Samples are others by now.
+  void ForgetBlocks() { this->Blocks.Forget(); }
+  std::size_t GetMemory() const { return this->Samples.GetMemory() + this->Blocks.GetMemory(); }
   void Release();
   void Abandon();
 
@@ -41,8 +51,10 @@ private:
   void AddBoxes(const std::vector<LightFrame>& frames, const std::vector<glm::dvec3>& corners,
     const View& view, const FilterReach& filter, const WarpTable& table);
 
-  Program Reduction, BoxAdding, Writing;
-  Buffer Bounds, Tiles, Boxes;
+  SampleBounds Samples;
+  LayerBlocks Blocks;
+  Program BoxAdding, Writing;
+  Buffer Bounds, Boxes;
 };
 }
 

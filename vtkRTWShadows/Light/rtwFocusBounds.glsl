@@ -3,9 +3,11 @@ layout(std430, binding = 0) buffer Bounds
 {
   uint rtwBounds[]; // a layer: low s, low t, high s, high t, as rtwOrdered() has them; then those of the second pass
 };
-uniform int rtwLayer;
+uniform int rtwLayer; // the first at work
 uniform float rtwFilterWidth; // how far in the world a filter looks around a receiver
 uniform vec4 rtwWholeBounds;  // nothing outside the light's own bounds counts
+
+const vec4 NOTHING = vec4(1e30, 1e30, -1e30, -1e30);
 
 vec4 rtwUnited(vec4 a, vec4 b)
 {
@@ -22,11 +24,20 @@ vec4 rtwKept(vec4 found)
   return vec4(max(found.xy, rtwWholeBounds.xy), min(found.zw, rtwWholeBounds.zw));
 }
 
-void rtwAddBounds(vec4 found, int pass)
+void rtwAddBounds(int layer, vec4 found, int pass)
 {
-  int first = 8 * rtwLayer + 4 * pass;
+  int first = 8 * layer + 4 * pass;
   atomicMin(rtwBounds[first], rtwOrdered(found.x));
   atomicMin(rtwBounds[first + 1], rtwOrdered(found.y));
   atomicMax(rtwBounds[first + 2], rtwOrdered(found.z));
   atomicMax(rtwBounds[first + 3], rtwOrdered(found.w));
+}
+
+// True where a layer's samples, by the first pass, hold all of that.
+bool rtwIsSettled(int layer, vec4 maybe)
+{
+  int first = 8 * layer;
+  return maybe.x > maybe.z ||
+    (rtwOrdered(maybe.x) >= rtwBounds[first] && rtwOrdered(maybe.y) >= rtwBounds[first + 1] &&
+      rtwOrdered(maybe.z) <= rtwBounds[first + 2] && rtwOrdered(maybe.w) <= rtwBounds[first + 3]);
 }

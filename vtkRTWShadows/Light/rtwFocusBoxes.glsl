@@ -19,7 +19,7 @@ void rtwAdd(vec3 position)
 {
   vec3 here = rtwOnLight(position);
   // Behind a spot: no light falls there, but the box may reach anywhere.
-  rtwAddBounds(here.z > 0.0 ? rtwKept(rtwAround(here.xy, vec2(rtwFilterWidth / here.z))) : rtwWholeBounds, 0);
+  rtwAddBounds(rtwLayer, here.z > 0.0 ? rtwKept(rtwAround(here.xy, vec2(rtwFilterWidth / here.z))) : rtwWholeBounds, 0);
 }
 
 void main()

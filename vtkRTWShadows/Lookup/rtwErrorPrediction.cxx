@@ -51,7 +51,7 @@ bool ErrorPrediction::DrawOwnMask(const DrawnShadows& shadows, const ReceiverSha
 {
   ReceiverShape own = shape;
   own.OtherLayers = false;
-  if (!this->Own.Build(own, TableAccess::Texels))
+  if (!this->Own.Build(own, TableAccess::Texels, false))
   {
     return false;
   }

@@ -1,5 +1,7 @@
 // The shadow of one light on one receiver: where it lies on the map, and how much of the light the texels there let through.
+#if !defined(RTW_LAYERS_IN_UNIFORMS)
 uniform int rtwFirstLayer;  // that the first of these lights has
+#endif
 uniform int rtwOtherLayers; // how far behind each layer that of the light's other casters lies
 uniform mat4 rtwToLight[RTW_LIGHTS];   // from view coordinates to (l · w, depth · w, w)
 uniform vec4 rtwCone[RTW_LIGHTS];      // a spot's: centre, tangent; tangent 0 for a directional light
@@ -33,7 +35,7 @@ float rtwFiltered(int light, int layer, vec4 focus, rtwReceiver r, float w)
 float rtwVisibilityOn(int light, int layer, vec4 l, vec3 dx, vec3 dy, float area)
 {
   float visibility = 1.0;
-  vec4 focus = rtwFocus(layer);
+  vec4 focus = rtwFocusOf(layer);
   vec3 q = vec3(rtwFocused(focus, l.xy), l.z);
   if (all(equal(clamp(q.xy, 0.0, 1.0), q.xy)))
   {
@@ -61,20 +63,32 @@ float rtwVisibilityOn(int light, int layer, vec4 l, vec3 dx, vec3 dy, float area
 #if RTW_PARTS > 1
 uniform vec4 rtwBeams[RTW_LIGHTS]; // as rtwFaceAt() has them
 
-bool rtwHolds(int layer, vec2 onLight)
+// How far the layer at a depth has given way to the next.
+float rtwShareOfNext(int first, float depth)
 {
-  vec2 q = rtwFocused(rtwFocus(layer), onLight);
-  return all(equal(clamp(q, 0.0, 1.0), q));
+  float share = 0.0;
+  for (int k = rtwFaces; k < RTW_PARTS; k += rtwFaces)
+  {
+    float begin = rtwBlendStart(first + k);
+    float end = rtwIntervalOf(first + k).x;
+    share = depth > begin && depth < end ? (depth - begin) / (end - begin) : share;
+  }
+  return share;
 }
 
-// Beside a seam there is what no view sample knew of, as between samples or those of a pixel: the next layer that holds it will do.
+// Beside a seam there is what no view sample knew of, as between samples or those of a pixel: the next layer that holds it will do, the
+// farther of two.
 int rtwLayerThatHolds(int wanted, int first, vec2 onLight)
 {
   int layer = wanted;
-  for (int away = 1; away < RTW_PARTS && !rtwHolds(layer, onLight); ++away)
+  int least = 2 * RTW_PARTS;
+  for (int k = first; k < first + RTW_PARTS; ++k)
   {
-    int above = min(wanted + away, first + RTW_PARTS - 1);
-    layer = rtwHolds(above, onLight) ? above : max(wanted - away, first);
+    vec2 q = rtwFocused(rtwFocusOf(k), onLight);
+    int away = k < wanted ? 2 * (wanted - k) + 1 : 2 * (k - wanted);
+    bool better = away < least && all(equal(clamp(q, 0.0, 1.0), q));
+    layer = better ? k : layer;
+    least = better ? away : least;
   }
   return layer;
 }
@@ -92,20 +106,24 @@ float rtwVisibility(int light, vec4 l, vec3 dx, vec3 dy, vec3 p)
   if (faces)
   {
     int first = light * RTW_PARTS + rtwFirstLayer;
-    int layer = first;
 #if RTW_PARTS > 1
-    layer = rtwLayerAt(first, RTW_PARTS, p, rtwBeams[light]);
-    layer = rtwLayerThatHolds(layer, first, l.xy);
-#endif
-    visibility = rtwVisibilityOn(light, layer, l, dx, dy, area);
-#if RTW_PARTS > 1
-    int next = min(layer + rtwFaces, first + RTW_PARTS - 1);
-    vec2 band = vec2(rtwBlendStart(next), rtwIntervalOf(next).x);
-    if (-p.z > band.x && -p.z < band.y)
+    int wanted = rtwLayerAt(first, RTW_PARTS, p, rtwBeams[light]);
+    int layer = rtwLayerThatHolds(wanted, first, l.xy);
+    int next = min(wanted + rtwFaces, first + RTW_PARTS - 1);
+    float share = rtwShareOfNext(first, -p.z);
+    // A loop, since some drivers go through both branches of a condition: nearly no receiver lies in a band.
+    visibility = 0.0;
+    float weight = 1.0 - share;
+    int lookups = share > 0.0 ? 2 : 1;
+    do
     {
-      float other = rtwVisibilityOn(light, next, l, dx, dy, area);
-      visibility = mix(visibility, other, (-p.z - band.x) / (band.y - band.x));
-    }
+      visibility += weight * rtwVisibilityOn(light, layer, l, dx, dy, area);
+      layer = next;
+      weight = share;
+      --lookups;
+    } while (lookups > 0);
+#else
+    visibility = rtwVisibilityOn(light, first, l, dx, dy, area);
 #endif
   }
   return visibility;

@@ -2,6 +2,8 @@
 #include "rtwMaskStage.h"
 
 #include "rtwDenseLayers.h"
+#include "rtwGatherLayers.h"
+#include "rtwLayerInterval.h"
 #include "rtwMaskFS.h"
 #include "rtwMaskValue.h"
 #include "rtwOpenGL.h"
@@ -16,25 +18,34 @@ namespace
 {
 constexpr int DepthUnit = 1;
 constexpr int GradientUnit = 2;
+constexpr unsigned int LayersBinding = WarpTable::UniformBinding + 2;
+constexpr std::size_t LayerBytes = 32; // as in rtwGatherLayers.glsl
 }
 
-bool MaskStage::Build(const ReceiverShape& shape, TableAccess access)
+bool MaskStage::Build(const ReceiverShape& shape, TableAccess access, bool layersInUniforms)
 {
   ReceiverShape one = shape; // each light is drawn by itself
   one.Switched = { 0 };
-  if (!(one == this->Shape) || this->Access != access)
+  if (!(one == this->Shape) || this->Access != access || this->LayersInUniforms != layersInUniforms)
   {
     this->Drawing.Release();
     this->Shape = one;
     this->Access = access;
+    this->LayersInUniforms = layersInUniforms;
   }
-  const std::string definitions = DefinitionsOf(one), lookup = LookupCode(one);
-  return this->Drawing.Build(
-    { { GL_VERTEX_SHADER, { rtwScreenVS } },
-      { GL_FRAGMENT_SHADER,
-        { WarpTable::DefinitionOf(access), definitions.c_str(), rtwWarpFocus, one.Warp.Function, lookup.c_str(), rtwViewSampleAccess,
-          rtwMaskValue, rtwMaskFS } } },
-    150);
+  const std::string definitions =
+    DefinitionsOf(one) + (layersInUniforms ? "#define RTW_LAYERS_IN_UNIFORMS\n" : "");
+  const std::string lookup = LookupCode(one);
+  const bool gathers = !layersInUniforms ||
+    this->Gathering.Build(
+      { { GL_COMPUTE_SHADER, { rtwWarpFocus, rtwLayerInterval, rtwGatherLayers } } });
+  return gathers &&
+    this->Drawing.Build(
+      { { GL_VERTEX_SHADER, { rtwScreenVS } },
+        { GL_FRAGMENT_SHADER,
+          { WarpTable::DefinitionOf(access), definitions.c_str(), rtwWarpFocus, one.Warp.Function,
+            lookup.c_str(), rtwViewSampleAccess, rtwMaskValue, rtwMaskFS } } },
+      150);
 }
 
 void MaskStage::Allocate(const ViewSampler& samples, int lights)
@@ -59,7 +70,6 @@ void MaskStage::SetLookup(
   program.Set("rtwGradients", GradientUnit);
   program.Set("rtwOtherLayers", lookup.OtherLayers);
   program.Set("rtwFilterJitter", lights.FilterJitter);
-  program.Set("rtwFaces", lights.Faces);
   glUniform4fv(program.Location("rtwSides"), 4, &lights.Sides[0].x);
   program.Set("rtwFirstLayer", firstLayer);
   program.SetMatrix("rtwToLight", lights.ToLight.data() + 16 * light);
@@ -79,7 +89,12 @@ void MaskStage::Render(const ReceiverLights& lights, int otherLayers, const View
   const DenseLayers& layers, const WarpTable& table)
 {
   this->Allocate(samples, lights.Count);
+  if (this->LayersInUniforms)
+  {
+    this->GatherLayers(table, lights.Count * this->Shape.Parts);
+  }
   this->Drawing.Use();
+  this->Drawing.SetBlock("Layers", LayersBinding);
   samples.Bind(this->Drawing);
   for (int light = 0; light < lights.Count; ++light)
   {
@@ -88,14 +103,36 @@ void MaskStage::Render(const ReceiverLights& lights, int otherLayers, const View
       return;
     }
     SetLookup(this->Drawing, { lights, otherLayers, layers, table }, light, light * this->Shape.Parts);
+    this->BindGathered(light);
     this->Triangle.Draw();
   }
   UnbindMaps(layers);
 }
 
+void MaskStage::GatherLayers(const WarpTable& table, int layers)
+{
+  this->Gathered.Reserve(layers * LayerBytes);
+  this->Gathering.Use();
+  table.Bind(this->Gathering);
+  this->Gathered.BindStorage(0);
+  this->Gathering.Set("rtwNumberOfLayers", layers);
+  Dispatch(Groups(layers, 32));
+}
+
+void MaskStage::BindGathered(int light) const
+{
+  if (this->LayersInUniforms)
+  {
+    const std::size_t bytes = this->Shape.Parts * LayerBytes;
+    this->Gathered.BindUniforms(LayersBinding, light * bytes, bytes);
+  }
+}
+
 void MaskStage::Release()
 {
   this->Drawing.Release();
+  this->Gathering.Release();
+  this->Gathered.Release();
   this->Mask.Release();
   this->Target.Release();
   this->Triangle.Release();
@@ -104,6 +141,8 @@ void MaskStage::Release()
 void MaskStage::Abandon()
 {
   this->Drawing.Abandon();
+  this->Gathering.Abandon();
+  this->Gathered.Abandon();
   this->Mask.Abandon();
   this->Target.Abandon();
   this->Triangle.Abandon();

@@ -3,6 +3,7 @@
 #ifndef rtwMaskStage_h
 #define rtwMaskStage_h
 
+#include "rtwBuffer.h"
 #include "rtwDrawing.h"
 #include "rtwFramebuffer.h"
 #include "rtwProgram.h"
@@ -29,9 +30,10 @@ struct MaskLookup
 class MaskStage
 {
 public:
-  /// Compiles for that shape, unless that is done; false, with the reason in GetLog(), where the driver can't.
-  bool Build(const ReceiverShape& shape, TableAccess access);
-  const std::string& GetLog() const { return this->Drawing.GetLog(); }
+  /// Compiles for that shape, unless that is done; false, with the reason in GetLog(), where the
+  /// driver can't. Several layers a light are chosen among by uniforms, or by the table.
+  bool Build(const ReceiverShape& shape, TableAccess access, bool layersInUniforms);
+  std::string GetLog() const { return this->Drawing.GetLog() + this->Gathering.GetLog(); }
   /// One layer a light.
   void Render(const ReceiverLights& lights, int otherLayers, const ViewSampler& samples,
     const DenseLayers& layers, const WarpTable& table);
@@ -47,9 +49,14 @@ public:
   void Abandon();
 
 private:
+  void GatherLayers(const WarpTable& table, int layers);
+  void BindGathered(int light) const;
+
   ReceiverShape Shape;
+  bool LayersInUniforms = false;
   TableAccess Access = TableAccess::Texels;
-  Program Drawing;
+  Program Drawing, Gathering;
+  Buffer Gathered;
   Texture Mask;
   Framebuffer Target;
   ScreenTriangle Triangle;

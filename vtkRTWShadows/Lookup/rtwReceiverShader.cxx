@@ -178,7 +178,7 @@ bool ReceiverShape::operator==(const ReceiverShape& other) const
     (this->Warp.Name && other.Warp.Name && !std::strcmp(this->Warp.Name, other.Warp.Name));
   return sameWarp && this->Switched == other.Switched && this->Filter == other.Filter &&
     this->DepthTest == other.DepthTest && this->OtherLayers == other.OtherLayers &&
-    this->Parts == other.Parts;
+    this->Parts == other.Parts && this->Faces == other.Faces;
 }
 
 void MarkPlaces(std::string& fragment)
@@ -193,7 +193,8 @@ std::string DefinitionsOf(const ReceiverShape& shape)
 {
   return "#define RTW_LIGHTS " + std::to_string(shape.Switched.size()) + "\n#define RTW_FILTER " +
     std::to_string(shape.Filter) + "\n#define RTW_DEPTH_TEST " + std::to_string(shape.DepthTest) +
-    "\n#define RTW_PARTS " + std::to_string(shape.Parts) + "\n#define RTW_OTHER_LAYERS " +
+    "\n#define RTW_PARTS " + std::to_string(shape.Parts) + "\n#define RTW_FACES " +
+    std::to_string(shape.Faces) + "\n#define RTW_OTHER_LAYERS " +
     (shape.OtherLayers ? "1\n" : "0\n");
 }
 
@@ -262,7 +263,6 @@ ReceiverLights ReceiverLights::Make(const std::vector<LightFrame>& frames, const
         frame.Light.Kind == LightKind::Spot ? float(2.5e-7 * size) : 0.f });
     PutTaps(lights.Taps, frame, options, size);
     lights.Attenuation.push_back(float(frame.Light.Attenuation));
-    lights.Faces = frame.Faces;
     const glm::vec4 beam = BeamOf(frame, view);
     lights.Beams.insert(lights.Beams.end(), { beam.x, beam.y, beam.z, beam.w });
   }
@@ -321,10 +321,6 @@ void ReceiverUniforms::Set(vtkShaderProgram* program) const
         "rtwBeams", n, reinterpret_cast<const float(*)[4]>(this->Lights.Beams.data()));
       program->SetUniform4fv(
         "rtwSides", 4, reinterpret_cast<const float(*)[4]>(this->Lights.Sides.data()));
-    }
-    if (program->IsUniformUsed("rtwFaces"))
-    {
-      program->SetUniformi("rtwFaces", this->Lights.Faces);
     }
     if (program->IsUniformUsed("rtwTaps"))
     {

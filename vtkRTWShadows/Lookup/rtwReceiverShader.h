@@ -38,6 +38,7 @@ struct ReceiverShape
   int DepthTest = 0;
   bool OtherLayers = false; ///< whether some casters have layers of their own
   int Parts = 1;            ///< layers a light, those aside
+  int Faces = 1;            ///< of which so many have the same depths
 
   bool operator==(const ReceiverShape& other) const;
 };
@@ -75,7 +76,6 @@ struct ReceiverLights
 {
   std::vector<float> ToLight, Cone, Tolerance, Taps, Attenuation, Beams;
   std::array<glm::vec4, 4> Sides{}; ///< of the view frustum
-  int Faces = 1;
   int FilterJitter = 0;
   int Count = 0;
 

@@ -13,26 +13,47 @@ uniform int rtwLight;
 uniform vec4 rtwWholeBounds; // in shares of whose extent footprints are
 const float LARGEST = 1048575.0;
 shared uint rtwTile[BINS * BIN_SIZE];
+vec2 rtwScale; // of the logarithm of depth: nearest, one over its range
 
 int rtwBinOf(float depth)
 {
-  vec2 range = uintBitsToFloat(uvec2(rtwRange[2 * rtwLight], rtwRange[2 * rtwLight + 1]));
-  range.x = max(range.x, 1e-6 * range.y);
-  float share = log2(depth / range.x) / max(log2(range.y / range.x), 1e-6);
+  float share = (log2(depth) - rtwScale.x) * rtwScale.y;
   return clamp(int(share * float(BINS)), 0, BINS - 1) * BIN_SIZE;
+}
+
+// Neighbours mostly fall to one bin.
+int rtwBinOfRun = -1;
+vec4 rtwBoundsOfRun;
+uvec2 rtwDemandOfRun;
+
+void rtwEndRun()
+{
+  if (rtwBinOfRun < 0)
+  {
+    return;
+  }
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    atomicMin(rtwTile[rtwBinOfRun + axis], rtwOrdered(rtwBoundsOfRun[axis]));
+    atomicMax(rtwTile[rtwBinOfRun + 2 + axis], rtwOrdered(rtwBoundsOfRun[2 + axis]));
+    // A tile's samples don't overflow.
+    atomicAdd(rtwTile[rtwBinOfRun + 4 + axis], rtwDemandOfRun[axis]);
+  }
 }
 
 void rtwVisit(LitSample s)
 {
   int bin = rtwBinOf(max(-s.position.z, 1e-30));
-  vec2 whole = rtwWholeBounds.zw - rtwWholeBounds.xy;
-  for (int axis = 0; axis < 2; ++axis)
+  if (bin != rtwBinOfRun)
   {
-    atomicMin(rtwTile[bin + axis], rtwOrdered(s.onLight[axis]));
-    atomicMax(rtwTile[bin + 2 + axis], rtwOrdered(s.onLight[axis]));
-    // A tile's samples don't overflow.
-    atomicAdd(rtwTile[bin + 4 + axis], uint(clamp(whole[axis] / max(s.footprint[axis], 1e-30), 1.0, LARGEST)));
+    rtwEndRun();
+    rtwBinOfRun = bin;
+    rtwBoundsOfRun = s.onLight.xyxy;
+    rtwDemandOfRun = uvec2(0u);
   }
+  rtwBoundsOfRun = vec4(min(rtwBoundsOfRun.xy, s.onLight), max(rtwBoundsOfRun.zw, s.onLight));
+  vec2 whole = rtwWholeBounds.zw - rtwWholeBounds.xy;
+  rtwDemandOfRun += uvec2(clamp(whole / max(s.footprint, 1e-30), 1.0, LARGEST));
 }
 
 void rtwFlush(int light, int bin)
@@ -64,7 +85,11 @@ void main()
     rtwTile[i] = i % BIN_SIZE < 2 ? 0xffffffffu : 0u;
   }
   barrier();
+  vec2 range = uintBitsToFloat(uvec2(rtwRange[2 * rtwLight], rtwRange[2 * rtwLight + 1]));
+  range.x = max(range.x, 1e-6 * range.y);
+  rtwScale = vec2(log2(range.x), 1.0 / max(log2(range.y / range.x), 1e-6));
   rtwVisitTile();
+  rtwEndRun();
   barrier();
   if (me < BINS)
   {

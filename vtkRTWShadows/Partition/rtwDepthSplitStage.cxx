@@ -3,19 +3,21 @@
 
 #include "rtwBackwardSample.h"
 #include "rtwDepthBins.h"
-#include "rtwDepthRange.h"
 #include "rtwDepthSplits.h"
 #include "rtwDrawing.h"
+#include "rtwLayerBlocks.h"
 #include "rtwLayerInterval.h"
 #include "rtwLightUniforms.h"
 #include "rtwLitSample.h"
 #include "rtwOpenGL.h"
 #include "rtwOrdered.h"
+#include "rtwSampleBlocks.h"
 #include "rtwSampleOfLayer.h"
 #include "rtwSamplePlace.h"
 #include "rtwSplitByBins.h"
 #include "rtwViewSampleAccess.h"
 #include "rtwViewSampler.h"
+#include "rtwVisitSamples.h"
 #include "rtwWarpFocus.h"
 #include "rtwWarpTable.h"
 #include "rtwWriteIntervals.h"
@@ -28,9 +30,8 @@ namespace rtw
 {
 namespace
 {
-constexpr int Tile = 64;                        // of rtwBackwardSample.glsl
-constexpr std::uint32_t Infinite = 0x7149f2cau; // 1e30f, as rtwDepthRange.glsl has it
 constexpr double Nowhere = 3e38;                // as rtwWriteIntervals.glsl has it
+constexpr int BinningStride = 2; // of the samples that bound layers: bins are an estimate
 constexpr int NumberOfBins = 128;
 constexpr int BinSize = 6;   // numbers of a bin in shared memory
 constexpr int BinStride = 8; // and in the buffer
@@ -39,12 +40,6 @@ std::string BinDefinitions()
 {
   return "#define BINS " + std::to_string(NumberOfBins) + "\n#define BIN_SIZE " +
     std::to_string(BinSize) + "\n#define BIN_STRIDE " + std::to_string(BinStride) + "\n";
-}
-
-void DispatchTiles(const PartitionInput& input)
-{
-  Dispatch(Groups(Groups(input.Samples.GetWidth(), input.Stride), Tile),
-    Groups(Groups(input.Samples.GetHeight(), input.Stride), Tile));
 }
 }
 
@@ -56,12 +51,10 @@ DepthSplitStage::DepthSplitStage(std::function<DepthSplitSettings()> settings)
 bool DepthSplitStage::Build()
 {
   const std::string bins = BinDefinitions();
-  return this->Ranging.Build({ { GL_COMPUTE_SHADER,
-           { rtwWarpFocus, rtwLayerInterval, rtwViewSampleAccess, rtwSamplePlace, rtwLitSample,
-             rtwSampleOfLayer, rtwBackwardSample, rtwDepthRange } } }) &&
-    this->Binning.Build({ { GL_COMPUTE_SHADER,
-      { bins.c_str(), rtwOrdered, rtwWarpFocus, rtwLayerInterval, rtwViewSampleAccess,
-        rtwSamplePlace, rtwLitSample, rtwSampleOfLayer, rtwBackwardSample, rtwDepthBins } } }) &&
+  return this->Binning.Build({ { GL_COMPUTE_SHADER,
+           { bins.c_str(), rtwOrdered, rtwWarpFocus, rtwLayerInterval, rtwViewSampleAccess,
+             rtwSamplePlace, rtwLitSample, rtwSampleOfLayer, rtwBackwardSample, rtwSampleBlocks,
+             rtwVisitSamples, rtwDepthBins } } }) &&
     this->Splitting.Build(
       { { GL_COMPUTE_SHADER, { bins.c_str(), rtwOrdered, rtwSplitByBins } } }) &&
     this->Writing.Build({ { GL_COMPUTE_SHADER, { rtwWarpFocus, rtwWriteIntervals } } });
@@ -69,8 +62,7 @@ bool DepthSplitStage::Build()
 
 std::string DepthSplitStage::GetLog() const
 {
-  return this->Ranging.GetLog() + this->Binning.GetLog() + this->Splitting.GetLog() +
-    this->Writing.GetLog();
+  return this->Binning.GetLog() + this->Splitting.GetLog() + this->Writing.GetLog();
 }
 
 // Whether splits don't go by view samples.
@@ -113,26 +105,6 @@ std::optional<Rectangle> DepthSplitStage::FocusOf(
   return SteadyFocus(frame, input.Viewed, depths, input.Reach, input.Resolution);
 }
 
-void DepthSplitStage::FindRange(const PartitionInput& input, const WarpTable& table)
-{
-  std::vector<std::uint32_t> start;
-  for (std::size_t light = 0; light < input.Frames.size(); ++light)
-  {
-    start.insert(start.end(), { Infinite, 0u });
-  }
-  this->Range.Assign(start);
-  this->Ranging.Use();
-  input.Samples.Bind(this->Ranging);
-  table.Bind(this->Ranging);
-  this->Range.BindStorage(0);
-  for (std::size_t light = 0; light < input.Frames.size(); ++light)
-  {
-    BindLight(this->Ranging, input.Frames[light], input.Samples.GetView(), input.Stride);
-    this->Ranging.Set("rtwLight", static_cast<int>(light));
-    DispatchTiles(input);
-  }
-}
-
 void DepthSplitStage::SplitBySamples(const PartitionInput& input, const WarpTable& table)
 {
   const std::vector<std::uint32_t> empty{ 0xffffffffu, 0xffffffffu, 0, 0, 0, 0, 0, 0 };
@@ -143,19 +115,20 @@ void DepthSplitStage::SplitBySamples(const PartitionInput& input, const WarpTabl
   }
   this->Bins.Assign(start);
   this->Splits.Reserve(input.Frames.size() * MostLayers * sizeof(float));
+  const int stride = BinningStride * input.Stride;
   this->Binning.Use();
   input.Samples.Bind(this->Binning);
   table.Bind(this->Binning);
-  this->Range.BindStorage(0);
+  input.Range.BindStorage(0);
   this->Bins.BindStorage(1);
   for (std::size_t light = 0; light < input.Frames.size(); ++light)
   {
     const Rectangle& b = input.Frames[light].Bounds;
-    BindLight(this->Binning, input.Frames[light], input.Samples.GetView(), input.Stride);
+    BindLight(this->Binning, input.Frames[light], input.Samples.GetView(), stride);
     this->Binning.Set("rtwLight", static_cast<int>(light));
     glUniform4f(this->Binning.Location("rtwWholeBounds"), float(b.Low.x), float(b.Low.y),
       float(b.High.x), float(b.High.y));
-    DispatchTiles(input);
+    input.Blocks.Dispatch(this->Binning, input.Samples, stride, -1);
   }
   this->Splitting.Use();
   this->Splits.BindStorage(2);
@@ -173,7 +146,6 @@ void DepthSplitStage::Split(const PartitionInput& input, WarpTable& table)
     return;
   }
   const DepthSplitSettings settings = this->Settings();
-  this->FindRange(input, table);
   const bool bySamples = settings.BySamples && input.Parts > input.Faces;
   if (bySamples)
   {
@@ -181,7 +153,7 @@ void DepthSplitStage::Split(const PartitionInput& input, WarpTable& table)
   }
   this->Writing.Use();
   table.Bind(this->Writing);
-  this->Range.BindStorage(0);
+  input.Range.BindStorage(0);
   table.GetValues().BindStorage(1);
   this->Splits.Reserve(sizeof(float));
   this->Splits.BindStorage(2);
@@ -196,11 +168,11 @@ void DepthSplitStage::Split(const PartitionInput& input, WarpTable& table)
 void DepthSplitStage::Release()
 {
   this->Steady.clear();
-  for (Program* program : { &this->Ranging, &this->Binning, &this->Splitting, &this->Writing })
+  for (Program* program : { &this->Binning, &this->Splitting, &this->Writing })
   {
     program->Release();
   }
-  for (Buffer* buffer : { &this->Range, &this->Bins, &this->Splits })
+  for (Buffer* buffer : { &this->Bins, &this->Splits })
   {
     buffer->Release();
   }
@@ -209,11 +181,11 @@ void DepthSplitStage::Release()
 void DepthSplitStage::Abandon()
 {
   this->Steady.clear();
-  for (Program* program : { &this->Ranging, &this->Binning, &this->Splitting, &this->Writing })
+  for (Program* program : { &this->Binning, &this->Splitting, &this->Writing })
   {
     program->Abandon();
   }
-  for (Buffer* buffer : { &this->Range, &this->Bins, &this->Splits })
+  for (Buffer* buffer : { &this->Bins, &this->Splits })
   {
     buffer->Abandon();
   }

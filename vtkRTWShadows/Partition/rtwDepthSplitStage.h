@@ -47,12 +47,11 @@ private:
   bool IsFixed(const PartitionInput& input) const;
   std::vector<double> FixedBorders(const PartitionInput& input) const;
   void WriteFixed(const PartitionInput& input, WarpTable& table) const;
-  void FindRange(const PartitionInput& input, const WarpTable& table);
   void SplitBySamples(const PartitionInput& input, const WarpTable& table);
 
   std::function<DepthSplitSettings()> Settings;
-  Program Ranging, Binning, Splitting, Writing;
-  Buffer Range, Bins, Splits;
+  Program Binning, Splitting, Writing;
+  Buffer Bins, Splits;
   std::map<const void*, glm::dvec2> Steady; ///< of each viewer
 };
 }

@@ -14,6 +14,8 @@
 
 namespace rtw
 {
+class Buffer;
+class LayerBlocks;
 class ViewSampler;
 class WarpTable;
 struct View;
@@ -24,6 +26,8 @@ struct PartitionInput
   const View& Viewed;
   const void* Viewer;         ///< who looks, only compared with others
   const ViewSampler& Samples; ///< where they are needed
+  const LayerBlocks& Blocks;
+  const Buffer& Range; ///< likewise, as SampleBounds::GetRange()
   int Stride = 1;
   int Parts = 1;      ///< layers a light, GetNumberOfLayers() or fewer
   int Faces = 1;      ///< of which so many have the same depths

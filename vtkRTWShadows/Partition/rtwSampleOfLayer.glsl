@@ -1,11 +1,17 @@
-// Whether a sample of the view is looked up in the layer that is worked on.
+// Whether a sample of the view is looked up in a layer.
 uniform int rtwParts; // layers that the light has
 uniform int rtwSampledLayer;
 uniform vec4 rtwBeam;
 
-bool rtwIsOfLayer(vec3 position)
+bool rtwBelongsTo(int layer, vec3 position)
 {
   return rtwParts == 1 ||
-    (-position.z >= rtwBlendStart(rtwSampledLayer) && -position.z < rtwIntervalOf(rtwSampledLayer).y &&
-      (rtwFaces == 1 || rtwSampledLayer % rtwFaces == rtwFaceAt(position, rtwBeam)));
+    (-position.z >= rtwBlendStart(layer) && -position.z < rtwIntervalOf(layer).y &&
+      (rtwFaces == 1 || layer % rtwFaces == rtwFaceAt(position, rtwBeam)));
+}
+
+// In the one that is worked on.
+bool rtwIsOfLayer(vec3 position)
+{
+  return rtwBelongsTo(rtwSampledLayer, position);
 }

@@ -66,6 +66,11 @@ int ShadowPipeline::CountParts(std::size_t lights) const
   return faces * std::clamp(depths, 1, std::max(most / faces, 1));
 }
 
+int ShadowPipeline::CountFaces(int parts) const
+{
+  return parts > 1 ? this->Partition->GetNumberOfFaces() : 1;
+}
+
 WarpShape ShadowPipeline::GetShape() const
 {
   return (this->OwnDrawing ? this->Warp : this->Fallback)->GetShape();
@@ -140,7 +145,7 @@ void ShadowPipeline::MakeFrames(const FrameScene& scene, const std::vector<Shado
   for (std::size_t i = 0; i < lights.size(); ++i)
   {
     this->Frames.push_back(this->MakeFrame(scene, lights[i], this->DrawnTurns[i]));
-    this->Frames.back().Faces = parts > 1 ? this->Partition->GetNumberOfFaces() : 1;
+    this->Frames.back().Faces = this->CountFaces(parts);
     for (int part = 0; part < parts; ++part)
     {
       LightFrame frame = this->Frames.back();

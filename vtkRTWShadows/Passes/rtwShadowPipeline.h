@@ -107,6 +107,8 @@ public:
   const std::vector<LightFrame>& GetLayerFrames() const { return this->LayerFrames; }
   /// How many layers each of so many lights gets, those of casters that mappers draw aside.
   int CountParts(std::size_t lights) const;
+  /// Of so many layers, how many have the same depths.
+  int CountFaces(int parts) const;
   const View& GetView() const { return this->Viewed; }
   const DenseLayers& GetLayers() const { return this->Layers; }
   /// Whether the last frame drew the lights' own layers.
@@ -184,6 +186,8 @@ private:
   void AskForTurns(const FrameScene& scene, const PipelineOptions& options, const Texture* mask);
   Rectangle WithoutSamples(std::size_t light, const FilterReach& reach) const;
   FilterReach GetReach(const PipelineOptions& options) const;
+  BoundedSamples GetBounded(const PipelineOptions& options) const;
+  void BoundSamples(const PipelineOptions& options);
   PartitionInput MakePartitionInput(const PipelineOptions& options) const;
   void Split(const PipelineOptions& options);
   void FindFocus(const FrameScene& scene, const PipelineOptions& options);

@@ -77,7 +77,7 @@ void ShadowPipeline::RunWarp(
     const LookupOptions& lookup = options.Lookup;
     // What is shaded elsewhere than at samples of this frame might lie anywhere.
     this->Warp->Run(this->LayerFrames,
-      { this->Sampler, this->GetStride(options), this->SceneSize,
+      { this->Sampler, this->Focus.GetBlocks(), this->GetStride(options), this->SceneSize,
         hasImages ? &this->Images.GetImages() : nullptr, lastMask, this->Masked,
         options.Masked && !this->Resampled,
         this->UnsampledReceiversOfAll(scene, lookup.FilterWorld), lookup.FilterWorld,
@@ -127,10 +127,10 @@ void ShadowPipeline::Draw(const FrameScene& scene, const std::vector<ShadowLight
     this->MakeFrames(scene, lights);
     this->DrawMaps(guard, scene, options, mappers, lastMask, still);
   }
-  this->Counted.ShadowMemory =
-    static_cast<std::int64_t>(this->Layers.GetMemory() + this->Table.GetMemory() +
-      this->Sampler.GetMemory() + this->Masking.GetMask().GetMemory() + this->Casters.GetMemory() +
-      this->Images.GetMemory() + (this->Source ? this->Source->GetMemory() : 0));
+  this->Counted.ShadowMemory = static_cast<std::int64_t>(this->Layers.GetMemory() +
+    this->Table.GetMemory() + this->Sampler.GetMemory() + this->Masking.GetMask().GetMemory() +
+    this->Casters.GetMemory() + this->Images.GetMemory() + this->Focus.GetMemory() +
+    (this->Source ? this->Source->GetMemory() : 0));
 }
 
 // From view samples to the mask.
@@ -138,6 +138,7 @@ void ShadowPipeline::DrawMaps(StateGuard& guard, const FrameScene& scene,
   const PipelineOptions& options, const MapperDrawing& mappers, const Texture* lastMask,
   bool still)
 {
+  this->BoundSamples(options);
   this->Split(options);
   this->FindFocus(scene, options);
   if (this->OwnDrawing)
@@ -202,7 +203,8 @@ void ShadowPipeline::DrawMask(const PipelineOptions& options)
   const bool uniforms =
     this->HasUniformTable() && this->OtherLayers == 0 && options.Shape.Parts == 1;
   if (this->HasSamples &&
-    this->Masking.Build(options.Shape, uniforms ? TableAccess::Uniforms : TableAccess::Texels))
+    this->Masking.Build(options.Shape, uniforms ? TableAccess::Uniforms : TableAccess::Texels,
+      this->Can.FastUniforms && options.Shape.Parts > 1))
   {
     this->Masking.Render(
       ReceiverLights::Make(this->Frames, this->Viewed, options.Lookup, this->SceneSize),

@@ -68,9 +68,29 @@ FilterReach ShadowPipeline::GetReach(const PipelineOptions& options) const
 
 PartitionInput ShadowPipeline::MakePartitionInput(const PipelineOptions& options) const
 {
-  return { this->Frames, this->Viewed, options.Viewer, this->Sampler, this->GetFocusStride(options),
-    this->LayerFrames.front().Parts, this->LayerFrames.front().Faces, options.Resolution,
-    options.FocusOnView, this->GetReach(options) };
+  return { this->Frames, this->Viewed, options.Viewer, this->Sampler, this->Focus.GetBlocks(),
+    this->Focus.GetRange(), this->GetFocusStride(options), this->LayerFrames.front().Parts,
+    this->LayerFrames.front().Faces, options.Resolution, options.FocusOnView,
+    this->GetReach(options) };
+}
+
+BoundedSamples ShadowPipeline::GetBounded(const PipelineOptions& options) const
+{
+  return { this->Sampler, this->GetFocusStride(options),
+    static_cast<float>(options.Lookup.FilterWorld), this->Table };
+}
+
+// Where layers go by view samples.
+void ShadowPipeline::BoundSamples(const PipelineOptions& options)
+{
+  this->Focus.ForgetBlocks();
+  const int parts = this->LayerFrames.front().Parts;
+  if (options.FocusOnView && this->OwnDrawing &&
+    (parts == 1 || this->Partition->NeedsViewSamples()))
+  {
+    StageTimers::Scope timer(this->Timers, "focus");
+    this->Focus.Bound(this->Frames, this->GetBounded(options), parts);
+  }
 }
 
 // What each layer is for, into the warp table.
@@ -99,8 +119,8 @@ void ShadowPipeline::FindFocus(const FrameScene& scene, const PipelineOptions& o
   else if (options.FocusOnView && this->OwnDrawing)
   {
     StageTimers::Scope timer(this->Timers, "focus");
-    this->Focus.Reduce(this->LayerFrames, unsampled, scene.UnsampledReceivers, this->Sampler,
-      this->GetFocusStride(options), reach, this->Table);
+    this->Focus.Reduce(
+      this->LayerFrames, unsampled, scene.UnsampledReceivers, this->GetBounded(options), reach);
   }
   else
   {

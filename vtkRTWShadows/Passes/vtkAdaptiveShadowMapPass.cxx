@@ -174,7 +174,8 @@ void vtkAdaptiveShadowMapPass::Bake(const vtkRenderState* s)
   my.Options.Masked = my.Pipeline.HasOwnDrawing() && window->GetMultiSamples() <= 1 &&
     !my.Options.PreviousFrame;
   rtw::ReceiverShape shape{ my.Pipeline.GetShape(), {}, this->Filter, this->DepthTest,
-    my.Pipeline.CountOtherLayers(my.Scene, lights * parts) > 0, parts };
+    my.Pipeline.CountOtherLayers(my.Scene, lights * parts) > 0, parts,
+    my.Pipeline.CountFaces(parts) };
   for (const rtw::ShadowLight& light : my.Lights.Shadowing)
   {
     shape.Switched.push_back(light.Switched);

@@ -13,6 +13,7 @@
 #include "rtwGridTiles.h"
 #include "rtwImportance.h"
 #include "rtwImportanceStage.h"
+#include "rtwLayerBlocks.h"
 #include "rtwLayerInterval.h"
 #include "rtwLightUniforms.h"
 #include "rtwLitSample.h"
@@ -20,6 +21,7 @@
 #include "rtwOpenGL.h"
 #include "rtwRectilinearWarp.h"
 #include "rtwRunningSum.h"
+#include "rtwSampleBlocks.h"
 #include "rtwSampleOfLayer.h"
 #include "rtwSamplePlace.h"
 #include "rtwSlopeNonOrthogonal.h"
@@ -30,6 +32,7 @@
 #include "rtwUserFunction.h"
 #include "rtwViewSampleAccess.h"
 #include "rtwViewSampler.h"
+#include "rtwVisitSamples.h"
 #include "rtwWarpFocus.h"
 #include "rtwWarpNonOrthogonal.h"
 #include "rtwWarpTable.h"
@@ -41,7 +44,6 @@ namespace rtw
 {
 namespace
 {
-constexpr int Tile = 64; // of rtwBackwardSample.glsl
 constexpr int CountUnit = 1024;
 constexpr int Passes = 3; // of smoothing
 
@@ -53,7 +55,8 @@ bool BuildCollecting(Program& program, int functions)
   return program.Build({ { GL_COMPUTE_SHADER,
     { definitions.c_str(), rtwWarpFocus, rtwWarpNonOrthogonal, rtwLayerInterval,
       rtwViewSampleAccess, rtwLitSample, rtwSampleOfLayer, rtwUserFunction, "return 1.0;\n}\n",
-      rtwImportance, rtwSamplePlace, rtwBackwardSample, rtwCollectGrid } } });
+      rtwImportance, rtwSamplePlace, rtwBackwardSample, rtwSampleBlocks, rtwVisitSamples,
+      rtwCollectGrid } } });
 }
 }
 
@@ -155,8 +158,7 @@ void NonOrthogonalWarpStage::Collect(
   BindLight(program, frame, input.Samples.GetView(), input.Stride);
   program.Set("rtwLayer", layer);
   program.Set("rtwAxis", axis);
-  Dispatch(Groups(Groups(input.Samples.GetWidth(), input.Stride), Tile),
-    Groups(Groups(input.Samples.GetHeight(), input.Stride), Tile));
+  input.Blocks.Dispatch(program, input.Samples, input.Stride, layer);
 }
 
 float NonOrthogonalWarpStage::Unit() const

@@ -6,20 +6,20 @@
 #include "rtwBendPerspective.h"
 #include "rtwBuildPerspective.h"
 #include "rtwDrawing.h"
-#include "rtwFocusBounds.h"
-#include "rtwFocusReduction.h"
+#include "rtwLayerBlocks.h"
 #include "rtwLayerInterval.h"
 #include "rtwLightUniforms.h"
 #include "rtwLitSample.h"
 #include "rtwNearestSample.h"
 #include "rtwOpenGL.h"
-#include "rtwOrdered.h"
 #include "rtwPlacedOnWarp.h"
+#include "rtwSampleBlocks.h"
 #include "rtwSampleOfLayer.h"
 #include "rtwSamplePlace.h"
 #include "rtwSlopePerspective.h"
 #include "rtwViewSampleAccess.h"
 #include "rtwViewSampler.h"
+#include "rtwVisitSamples.h"
 #include "rtwWarpFocus.h"
 #include "rtwWarpPerspective.h"
 #include "rtwWarpTable.h"
@@ -32,7 +32,6 @@ namespace rtw
 {
 namespace
 {
-constexpr int Tile = 64;              // as in rtwBackwardSample.glsl
 constexpr int LeastStride = 2;        // bounds look at each pixel that might lie beyond them
 constexpr double UnseenMargin = 0.05; // of the map, for what the last frame has not seen
 
@@ -62,11 +61,9 @@ bool PerspectiveWarpStage::Build()
 {
   return this->Looking.Build({ { GL_COMPUTE_SHADER,
            { rtwWarpFocus, rtwLayerInterval, rtwViewSampleAccess, rtwSamplePlace, rtwLitSample,
-             rtwSampleOfLayer, rtwBackwardSample, rtwNearestSample } } }) &&
-    this->Bounding.Build({ { GL_COMPUTE_SHADER,
-      { rtwWarpFocus, rtwWarpPerspective, rtwBendPerspective, rtwLayerInterval,
-        rtwViewSampleAccess, rtwSamplePlace, rtwLitSample, rtwSampleOfLayer, rtwBackwardSample,
-        rtwOrdered, rtwFocusBounds, rtwPlacedOnWarp, rtwFocusReduction } } }) &&
+             rtwSampleOfLayer, rtwBackwardSample, rtwSampleBlocks, rtwVisitSamples,
+             rtwNearestSample } } }) &&
+    this->Bounding.Build(std::string(rtwWarpPerspective) + rtwBendPerspective + rtwPlacedOnWarp) &&
     this->Building.Build({ { GL_COMPUTE_SHADER, { rtwWarpFocus, rtwBuildPerspective } } });
 }
 
@@ -99,7 +96,7 @@ void PerspectiveWarpStage::Run(
   {
     this->FindNearest(frames[layer], layer, input, table);
     this->Write(frames[layer], layer, 0, input, table);
-    this->FindBounds(frames[layer], layer, input, table);
+    this->FindBounds(frames[layer], input, table);
     this->Write(frames[layer], layer, 1, input, table);
   }
 }
@@ -113,32 +110,19 @@ void PerspectiveWarpStage::FindNearest(
   table.Bind(this->Looking);
   BindLight(this->Looking, frame, input.Samples.GetView(), input.Stride);
   this->Looking.Set("rtwLayer", layer);
-  Dispatch(Groups(Groups(input.Samples.GetWidth(), input.Stride), Tile),
-    Groups(Groups(input.Samples.GetHeight(), input.Stride), Tile));
+  input.Blocks.Dispatch(this->Looking, input.Samples, input.Stride, layer);
 }
 
 // On the map as it is with ends 0 and 1.
 void PerspectiveWarpStage::FindBounds(
-  const LightFrame& frame, int layer, const AnalysisInput& input, const WarpTable& table)
+  const LightFrame& frame, const AnalysisInput& input, const WarpTable& table)
 {
-  const int stride = std::min(input.Stride, LeastStride);
-  const int columns = Groups(Groups(input.Samples.GetWidth(), stride), Tile);
-  const int rows = Groups(Groups(input.Samples.GetHeight(), stride), Tile);
-  this->Tiles.Reserve(sizeof(glm::vec4) * columns * rows);
-  this->Bounding.Use();
-  this->Bounds.BindStorage(0);
-  this->Tiles.BindStorage(1);
-  input.Samples.Bind(this->Bounding);
-  table.Bind(this->Bounding);
-  BindLight(this->Bounding, frame, input.Samples.GetView(), stride);
-  Set(this->Bounding, "rtwWholeBounds", glm::vec4(-1e30f, -1e30f, 1e30f, 1e30f));
-  this->Bounding.Set("rtwFilterWidth", static_cast<float>(input.FilterWorld));
-  this->Bounding.Set("rtwLayer", layer);
-  for (int pass = 0; pass < (stride > 1 ? 2 : 1); ++pass)
-  {
-    this->Bounding.Set("rtwClosely", pass);
-    Dispatch(columns, rows);
-  }
+  const Rectangle whole{ glm::dvec2(-1e30), glm::dvec2(1e30) };
+  const BoundedSamples bounded{ input.Samples, std::min(input.Stride, LeastStride),
+    static_cast<float>(input.FilterWorld), table };
+  this->Bounding.Start(bounded, 1, 1);
+  this->Bounding.Bound(bounded, frame, 0, whole);
+  this->Bounding.Unite(bounded, frame, 0, 1, whole, this->Bounds, nullptr);
 }
 
 void PerspectiveWarpStage::Write(
@@ -186,7 +170,6 @@ void PerspectiveWarpStage::Release()
   this->Building.Release();
   this->Nearest.Release();
   this->Bounds.Release();
-  this->Tiles.Release();
   this->Report.Release();
   this->Layers = 0;
 }
@@ -198,7 +181,6 @@ void PerspectiveWarpStage::Abandon()
   this->Building.Abandon();
   this->Nearest.Abandon();
   this->Bounds.Abandon();
-  this->Tiles.Abandon();
   this->Report.Abandon();
   this->Layers = 0;
 }

@@ -12,6 +12,7 @@
 #include "rtwBuffer.h"
 #include "rtwPerspectiveWarp.h"
 #include "rtwProgram.h"
+#include "rtwSampleBounds.h"
 #include "rtwView.h"
 #include "rtwWarpStage.h"
 
@@ -39,8 +40,7 @@ public:
 private:
   void FindNearest(const LightFrame& frame, int layer, const AnalysisInput& input,
     const WarpTable& table);
-  void FindBounds(
-    const LightFrame& frame, int layer, const AnalysisInput& input, const WarpTable& table);
+  void FindBounds(const LightFrame& frame, const AnalysisInput& input, const WarpTable& table);
   void Write(const LightFrame& frame, int layer, int pass, const AnalysisInput& input,
     const WarpTable& table);
 
@@ -48,8 +48,9 @@ private:
   View Viewed; ///< of the frame at work
   bool Focused = true;
   bool Current = true; ///< whether samples are of that frame
-  Program Looking, Bounding, Building;
-  Buffer Nearest, Bounds, Tiles;
+  Program Looking, Building;
+  SampleBounds Bounding;
+  Buffer Nearest, Bounds;
   Buffer Report; ///< a layer: as rtwWarpPerspective.glsl has it
   int Layers = 0;
 };

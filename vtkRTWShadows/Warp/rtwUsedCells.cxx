@@ -3,17 +3,19 @@
 
 #include "rtwAnalysisInput.h"
 #include "rtwBackwardSample.h"
-#include "rtwDrawing.h"
+#include "rtwLayerBlocks.h"
 #include "rtwLayerInterval.h"
 #include "rtwLightUniforms.h"
 #include "rtwLitSample.h"
 #include "rtwMarkUsed.h"
 #include "rtwOpenGL.h"
+#include "rtwSampleBlocks.h"
 #include "rtwSampleOfLayer.h"
 #include "rtwSamplePlace.h"
 #include "rtwUsedGrid.h"
 #include "rtwViewSampleAccess.h"
 #include "rtwViewSampler.h"
+#include "rtwVisitSamples.h"
 #include "rtwWarpFocus.h"
 #include "rtwWarpTable.h"
 
@@ -22,14 +24,14 @@ namespace rtw
 namespace
 {
 constexpr int Grid = 128; // as in rtwUsedGrid.glsl
-constexpr int Tile = 64;  // as in rtwBackwardSample.glsl
 }
 
 bool UsedCells::Build()
 {
   return this->Marking.Build({ { GL_COMPUTE_SHADER,
     { rtwWarpFocus, rtwLayerInterval, rtwViewSampleAccess, rtwSamplePlace, rtwLitSample,
-      rtwSampleOfLayer, rtwBackwardSample, rtwUsedGrid, rtwMarkUsed } } });
+      rtwSampleOfLayer, rtwBackwardSample, rtwSampleBlocks, rtwVisitSamples, rtwUsedGrid,
+      rtwMarkUsed } } });
 }
 
 void UsedCells::Find(
@@ -50,7 +52,7 @@ void UsedCells::Find(
     this->Marking.Set("rtwLayer", static_cast<int>(layer));
     glUniform4f(this->Marking.Location("rtwUnsampled"), float(also.Low.x), float(also.Low.y),
       float(also.High.x), float(also.High.y));
-    Dispatch(Groups(samples.GetWidth(), Tile), Groups(samples.GetHeight(), Tile));
+    input.Blocks.Dispatch(this->Marking, samples, 1, static_cast<int>(layer));
   }
 }
 
