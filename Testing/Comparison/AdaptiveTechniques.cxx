@@ -12,6 +12,7 @@
 #include <vtkNonOrthogonalShadowMapWarp.h>
 #include <vtkNoTWShadowMapPass.h>
 #include <vtkPerspectiveShadowMapPass.h>
+#include <vtkPerspectiveShadowMapWarp.h>
 #include <vtkRectilinearShadowMapWarp.h>
 #include <vtkRenderer.h>
 #include <vtkRTWShadowMapPass.h>
@@ -84,6 +85,10 @@ void ConfigureDrawing(vtkAdaptiveShadowMapPass* pass, const TechniqueSettings& s
   if (settings.Turn)
   {
     pass->SetLightPlaneTurn(static_cast<int>(*settings.Turn));
+  }
+  if (settings.CullCasters)
+  {
+    pass->SetCullCasters(*settings.CullCasters);
   }
   if (settings.SampleStride)
   {
@@ -286,9 +291,35 @@ void ConfigureNoTW(vtkNonOrthogonalShadowMapWarp* warp, const TechniqueSettings&
   }
 }
 
+void ConfigurePerspective(vtkPerspectiveShadowMapWarp* warp, const TechniqueSettings& settings)
+{
+  if (settings.FocusPoint)
+  {
+    warp->SetFocusPoint(*settings.FocusPoint);
+  }
+  if (settings.Parameterization)
+  {
+    warp->SetParameterization(static_cast<int>(*settings.Parameterization));
+  }
+  if (settings.NearDistance)
+  {
+    warp->SetNearDistance(*settings.NearDistance);
+  }
+  if (settings.Eta)
+  {
+    warp->SetEta(*settings.Eta);
+  }
+}
+
 void SetLayerWarp(vtkAdaptiveShadowMapPass* pass, const TechniqueSettings& settings)
 {
-  if (settings.Warping == LayerWarp::RTW)
+  if (settings.Warping == LayerWarp::PERSPECTIVE)
+  {
+    vtkNew<vtkPerspectiveShadowMapWarp> warp;
+    ConfigurePerspective(warp, settings);
+    pass->SetWarp(warp);
+  }
+  else if (settings.Warping == LayerWarp::RTW)
   {
     vtkNew<vtkRectilinearShadowMapWarp> warp;
     ConfigureImportance(warp, settings);
@@ -337,22 +368,7 @@ std::unique_ptr<Technique> MakeCascadesTechnique(const TechniqueSettings& settin
 std::unique_ptr<Technique> MakePerspectiveTechnique(const TechniqueSettings& settings)
 {
   vtkNew<vtkPerspectiveShadowMapPass> pass;
-  if (settings.FocusPoint)
-  {
-    pass->SetFocusPoint(*settings.FocusPoint);
-  }
-  if (settings.Parameterization)
-  {
-    pass->SetParameterization(static_cast<int>(*settings.Parameterization));
-  }
-  if (settings.NearDistance)
-  {
-    pass->SetNearDistance(*settings.NearDistance);
-  }
-  if (settings.Eta)
-  {
-    pass->SetEta(*settings.Eta);
-  }
+  ConfigurePerspective(pass->GetPerspectiveWarp(), settings);
   return std::make_unique<AdaptiveTechnique>(pass, settings);
 }
 

@@ -46,7 +46,8 @@ const Names<Splits>& SplitsNames()
 const Names<LayerWarp>& LayerWarpNames()
 {
   static const Names<LayerWarp> names = { { "identity", LayerWarp::IDENTITY },
-    { "rtw", LayerWarp::RTW }, { "notw", LayerWarp::NOTW } };
+    { "perspective", LayerWarp::PERSPECTIVE }, { "rtw", LayerWarp::RTW },
+    { "notw", LayerWarp::NOTW } };
   return names;
 }
 

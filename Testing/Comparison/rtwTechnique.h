@@ -90,6 +90,7 @@ enum class Splits
 enum class LayerWarp
 {
   IDENTITY,
+  PERSPECTIVE,
   RTW,
   NOTW
 };
@@ -158,6 +159,7 @@ struct TechniqueSettings
   std::optional<LayerWarp> Warping;
   std::optional<bool> Stable;
   std::optional<bool> SplitFaces;
+  std::optional<bool> CullCasters;
   bool Stages = false;                           // whether to time the stages on the GPU
 };
 

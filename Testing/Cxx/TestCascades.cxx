@@ -8,6 +8,7 @@
 #include "vtkImageData.h"
 #include "vtkLightCollection.h"
 #include "vtkNonOrthogonalShadowMapWarp.h"
+#include "vtkPerspectiveShadowMapWarp.h"
 #include "vtkProperty.h"
 #include "vtkRectilinearShadowMapWarp.h"
 
@@ -19,7 +20,12 @@ namespace
 {
 void SetWarp(rtwShadowStage& stage, const std::string& name)
 {
-  if (name == "rtw")
+  if (name == "perspective")
+  {
+    vtkNew<vtkPerspectiveShadowMapWarp> warp;
+    stage.Pass->SetWarp(warp);
+  }
+  else if (name == "rtw")
   {
     vtkNew<vtkRectilinearShadowMapWarp> warp;
     stage.Pass->SetWarp(warp);
@@ -98,7 +104,7 @@ void TestReceivers(const char* name, void change(rtwShadowStage&))
 // Layers of each face and depth, seen with the light, against it, and across.
 void TestFaces()
 {
-  for (const std::string warp : { "identity", "rtw" })
+  for (const std::string warp : { "identity", "perspective", "rtw" })
   {
     for (const glm::dvec3& from :
       { glm::dvec3(0.6, 4, 8), glm::dvec3(-2, 5, -7), glm::dvec3(3, 5, 1) })
@@ -131,7 +137,7 @@ void TestFaces()
 
 int TestCascades(int, char*[])
 {
-  for (const char* warp : { "identity", "rtw", "notw" })
+  for (const char* warp : { "identity", "perspective", "rtw", "notw" })
   {
     TestLights(rtwChain::Steps, warp);
     TestGlyphs(warp);

@@ -64,6 +64,30 @@ void ReadInterest(const std::string& text, rtw::TechniqueSettings& settings)
   settings.Interest = { n[0], n[1], n[2], n[3] };
 }
 
+std::vector<rtw::CommandLineOption> Entries(Options& options);
+
+// Options between blanks.
+Case ReadCase(const std::string& text)
+{
+  Options options;
+  std::vector<std::string> words{ "--case" };
+  for (const std::string& word : rtw::Split(text, ' '))
+  {
+    if (!word.empty())
+    {
+      words.push_back(word);
+    }
+  }
+  std::vector<char*> arguments;
+  for (std::string& word : words)
+  {
+    arguments.push_back(word.data());
+  }
+  rtw::ParseCommandLine(static_cast<int>(arguments.size()), arguments.data(), Entries(options),
+    [&](const std::string& word) { rtw::Refuse("--case", word, "options only"); });
+  return { text, options.Techniques, options.Resolutions, options.Settings };
+}
+
 void ReadDebugViews(const std::string& text, Options& options)
 {
   options.DebugViews = rtw::Split(text, ',');
@@ -86,6 +110,10 @@ std::vector<rtw::CommandLineOption> Entries(Options& options)
       [&](const std::string& value) {
         options.Resolutions = ReadWholes("--resolution", value, 16, 16384);
       } },
+    { "--case", "'O ...'",
+      "compare also what these options give: techniques, resolutions and their settings,\n"
+      "as '--technique cascades --layers 2 --resolution 512'; any number of times",
+      [&](const std::string& value) { options.Cases.push_back(ReadCase(value)); } },
     { "--size", "WxH", "of the picture in pixels; default the scene's, 1024x1024",
       [&](const std::string& value) { options.Size = ReadSize("--size", value); } },
     { "--light", "LIGHT",
@@ -139,6 +167,11 @@ std::vector<rtw::CommandLineOption> Entries(Options& options)
       "pixels a side of a square that gives a view sample, 1 to 64; default 2",
       [&](const std::string& value) {
         settings.SampleStride = ReadWhole("--sample-stride", value, 1, 64);
+      } },
+    { "--cull-casters", "on|off", "whether what can shadow nothing in a layer is left out of it",
+      [&](const std::string& value) {
+        settings.CullCasters =
+          Choose<bool>("--cull-casters", value, { { "on", true }, { "off", false } });
       } },
     { "--depth-test", "T", "dual, receiver-plane or constant-bias",
       [&](const std::string& value) {
@@ -205,9 +238,10 @@ std::vector<rtw::CommandLineOption> Entries(Options& options)
     { "--cells", "N", "a side of the grid of notw, 64 to 2048; default 512",
       [&](const std::string& value) { settings.Cells = ReadWhole("--cells", value, 64, 2048); } },
     { "--perspective", "P",
-      "of perspective: psm, lispsm, tsm, none, or n' itself in world units; default lispsm",
+      "of perspective, and of cascades warped so: psm, lispsm, tsm, none, or n' itself in world "
+      "units; default lispsm",
       [&](const std::string& value) { ReadPerspective("--perspective", value, settings); } },
-    { "--eta", "E", "of perspective, instead: -1, no warp, over 0, LiSPSM, to 1, PSM",
+    { "--eta", "E", "likewise, instead: -1, no warp, over 0, LiSPSM, to 1, PSM",
       [&](const std::string& value) { settings.Eta = ReadNumber("--eta", value, -1, 1); } },
     { "--focus-point", "F",
       "of tsm, what 80 % of the map lie before, 0.001 to 1 of what is seen; default 0.1",
@@ -234,7 +268,7 @@ std::vector<rtw::CommandLineOption> Entries(Options& options)
       [&](const std::string& value) {
         settings.Stable = Choose<bool>("--stable", value, { { "on", true }, { "off", false } });
       } },
-    { "--warp", "W", "of each cascade: identity, rtw or notw",
+    { "--warp", "W", "of each cascade: identity, perspective, rtw or notw",
       [&](const std::string& value) {
         settings.Warping = Choose("--warp", value, LayerWarpNames());
       } },
@@ -274,6 +308,10 @@ Options ParseOptions(int argc, char* argv[])
     options.Scene = argument;
     hasScene = true;
   });
+  for (Case& each : options.Cases)
+  {
+    each.Settings.Stages = options.Settings.Stages;
+  }
   return options;
 }
 

@@ -11,6 +11,15 @@
 #include <utility>
 #include <vector>
 
+/// What is compared beside Options::Techniques, each with settings of its own.
+struct Case
+{
+  std::string Text; // as the command line has it
+  std::vector<std::string> Techniques;
+  std::vector<int> Resolutions;
+  rtw::TechniqueSettings Settings;
+};
+
 struct ViewOption
 {
   glm::dvec3 Position, Focal;
@@ -34,6 +43,7 @@ struct Options
   std::string OutputFolder;
   std::vector<std::string> DebugViews; // as the command line has them
   rtw::TechniqueSettings Settings; // but for the resolution
+  std::vector<Case> Cases;
   bool Help = false;
 };
 

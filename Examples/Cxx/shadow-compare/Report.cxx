@@ -21,12 +21,13 @@ std::string Row(const Result& result)
   const std::string ratio = result.ToVtk > 0 ? Format("%.2f", result.ToVtk) : "-";
   const std::string predicted =
     result.Predicted >= 0 ? Format("%.4f", 100 * result.Predicted) : "-";
-  return Format("%-10s %6d  %8.4f %9s %8.4f %8.4f %8.4f %8.4f  %9.2f %9.2f %7s %9.1f\n",
+  return Format("%-10s %6d  %8.4f %9s %8.4f %8.4f %8.4f %8.4f  %9.2f %9.2f %7s %9.1f%s\n",
     result.Technique.c_str(), result.Resolution, errors.Percent(errors.Wrong()), predicted.c_str(),
     errors.Percent(errors.WronglyDark), errors.Percent(errors.WronglyLit),
     errors.Percent(errors.FarFromEdge), errors.Percent(errors.NotComparable),
     result.Milliseconds.Rebuilt, result.Milliseconds.Still, ratio.c_str(),
-    double(result.Memory) / 1048576);
+    double(result.Memory) / 1048576,
+    result.CaseText.empty() ? "" : ("  " + result.CaseText).c_str());
 }
 
 std::string StageTable(const Result& result)
@@ -34,7 +35,8 @@ std::string StageTable(const Result& result)
   std::string text;
   if (!result.Milliseconds.Stages.empty())
   {
-    text = Format("\n%s %d, ms of the GPU a frame\n", result.Technique.c_str(), result.Resolution);
+    text = Format("\n%s %d%s, ms of the GPU a frame\n", result.Technique.c_str(), result.Resolution,
+      result.CaseText.empty() ? "" : (" (" + result.CaseText + ")").c_str());
   }
   for (const rtw::Stage& stage : result.Milliseconds.Stages)
   {
@@ -48,6 +50,7 @@ Json::Value ToJson(const Result& result)
   const rtw::ShadowErrors& errors = result.Errors;
   Json::Value value;
   value["technique"] = result.Technique;
+  value["case"] = result.CaseText;
   value["resolution"] = result.Resolution;
   value["wrong_percent"] = errors.Percent(errors.Wrong());
   value["predicted_percent"] =

@@ -13,6 +13,7 @@
 struct Result
 {
   std::string Technique;
+  std::string CaseText; // of --case; empty for what was asked for without
   int Resolution;
   rtw::ShadowErrors Errors;
   Times Milliseconds;

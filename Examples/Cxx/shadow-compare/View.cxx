@@ -30,17 +30,17 @@ std::vector<rtw::Stage> Medians(const std::vector<std::vector<rtw::Stage>>& fram
 }
 
 std::unique_ptr<rtw::Technique> MakeShadows(
-  const std::string& technique, int resolution, const Options& options)
+  const std::string& technique, int resolution, rtw::TechniqueSettings settings)
 {
-  rtw::TechniqueSettings settings = options.Settings;
   settings.Resolution = resolution;
   return technique.empty() ? nullptr : rtw::MakeTechnique(technique, settings);
 }
 }
 
-View::View(
-  const rtw::Scene& scene, const Options& options, std::string technique, int resolution)
+View::View(const rtw::Scene& scene, const Options& options, const Case& settings,
+  std::string technique, int resolution)
   : Technique(std::move(technique))
+  , CaseText(settings.Text)
   , Resolution(resolution)
   , Window(
       scene.Size[0], scene.Size[1],
@@ -51,7 +51,7 @@ View::View(
           renderer->ResetCameraClippingRange();
         }
       },
-      MakeShadows(this->Technique, resolution, options))
+      MakeShadows(this->Technique, resolution, settings.Settings))
 {
 }
 

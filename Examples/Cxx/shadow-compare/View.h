@@ -21,10 +21,11 @@ struct Times
 /// A window that shows the scene by one technique, or without shadows.
 struct View
 {
-  View(
-    const rtw::Scene& scene, const Options& options, std::string technique, int resolution);
+  View(const rtw::Scene& scene, const Options& options, const Case& settings, std::string technique,
+    int resolution);
 
   std::string Technique; // empty for none
+  std::string CaseText;
   int Resolution;
   rtw::TechniqueView Window;
 };

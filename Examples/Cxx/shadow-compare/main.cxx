@@ -110,12 +110,22 @@ void WriteDebugViews(
   technique.SetDebugPicture(rtw::DebugPicture::NONE);
 }
 
+// In the names of pictures.
+std::string NameOfCase(const Options& options, const std::string& text)
+{
+  const auto same = [&](const Case& each) { return each.Text == text; };
+  const auto at = std::find_if(options.Cases.begin(), options.Cases.end(), same);
+  return at == options.Cases.end() ? std::string()
+                                   : "-case" + std::to_string(at - options.Cases.begin() + 1);
+}
+
 // The picture must be taken before the mask, which may change the props.
 Result Examine(View& view, const Options& options, const rtw::Scene& scene, const rtw::Truth& truth)
 {
-  Result result{ view.Technique, view.Resolution, {}, {}, 0 };
+  Result result{ view.Technique, view.CaseText, view.Resolution, {}, {}, 0 };
   result.Memory = view.Window.GetTechnique()->GetMemory();
-  const std::string name = view.Technique + "-" + std::to_string(view.Resolution);
+  const std::string name =
+    view.Technique + "-" + std::to_string(view.Resolution) + NameOfCase(options, view.CaseText);
   view.Window.SetRebuilding(true);
   view.Window.Render();
   if (!options.OutputFolder.empty())
@@ -152,12 +162,17 @@ void CompareWithVtk(std::vector<Result>& results)
 Report Measure(const rtw::Scene& scene, const Options& options)
 {
   Views views;
-  views.push_back(std::make_unique<View>(scene, options, "", 0));
-  for (const int resolution : options.Resolutions)
+  std::vector<Case> cases{ { "", options.Techniques, options.Resolutions, options.Settings } };
+  cases.insert(cases.end(), options.Cases.begin(), options.Cases.end());
+  views.push_back(std::make_unique<View>(scene, options, cases[0], "", 0));
+  for (const Case& each : cases)
   {
-    for (const std::string& technique : options.Techniques)
+    for (const int resolution : each.Resolutions)
     {
-      views.push_back(std::make_unique<View>(scene, options, technique, resolution));
+      for (const std::string& technique : each.Techniques)
+      {
+        views.push_back(std::make_unique<View>(scene, options, each, technique, resolution));
+      }
     }
   }
   Report report{ scene, 0, {}, {}, {} };
