@@ -5,13 +5,17 @@
 
 #include "vtkCamera.h"
 #include "vtkCascadedShadowMapPass.h"
+#include "vtkImageData.h"
 #include "vtkMatrix4x4.h"
 
 #include <glm/glm.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iostream>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace
@@ -159,6 +163,125 @@ void TestFlicker()
   RTW_CHECK(pixels[0] > 100);
 }
 
+// What a layer knows of the world in a frame.
+struct Layer
+{
+  vtkNew<vtkMatrix4x4> ToMap; ///< depth goes along
+  std::vector<float> Depths;
+  double From, To; ///< along the view
+
+  glm::dvec3 Place(const glm::dvec3& point) const
+  {
+    const double in[] = { point.x, point.y, point.z, 1 };
+    double out[4];
+    this->ToMap->MultiplyPoint(in, out);
+    return glm::dvec3(out[0] * Resolution, out[1] * Resolution, out[2]) / out[3];
+  }
+
+  /// Of the texel that a point lies in: 1 lit, 0 in shadow, -1 beside the map.
+  int Decide(const glm::dvec3& point) const
+  {
+    const glm::dvec3 at = this->Place(point);
+    const glm::ivec2 texel = glm::floor(glm::dvec2(at));
+    const bool isHeld =
+      texel.x >= 0 && texel.y >= 0 && texel.x < Resolution && texel.y < Resolution;
+    return isHeld ? this->Depths[texel.y * Resolution + texel.x] >= at.z - 1e-3 : -1;
+  }
+};
+
+using Layers3 = std::array<Layer, Layers>;
+
+std::unique_ptr<Layers3> ReadLayers(rtwShadowStage& stage)
+{
+  auto layers = std::make_unique<Layers3>();
+  for (int i = 0; i < Layers; ++i)
+  {
+    Layer& layer = (*layers)[i];
+    double range[2] = { 0, 0 };
+    RTW_CHECK(stage.Pass->GetLightPlaneMatrix(0, i, layer.ToMap));
+    RTW_CHECK(stage.Pass->GetLayerDepthRange(0, i, range));
+    layer.From = range[0];
+    layer.To = range[1];
+    vtkImageData* map = stage.Pass->GetShadowMapImage(0, i);
+    for (int k = 0; map && k < Resolution * Resolution; ++k)
+    {
+      layer.Depths.push_back(map->GetScalarComponentAsFloat(k % Resolution, k / Resolution, 0, 0));
+    }
+    RTW_CHECK_EQUAL(int(layer.Depths.size()), Resolution * Resolution);
+  }
+  return layers;
+}
+
+// Texels of the same place in the world whose depth is another one.
+int ChangedTexels(const Layer& before, const Layer& now)
+{
+  const glm::dvec2 shift = now.Place(glm::dvec3(0)) - before.Place(glm::dvec3(0));
+  const glm::ivec2 moved = glm::round(shift);
+  int changed = 0;
+  for (int t = 0; t < Resolution; ++t)
+  {
+    for (int s = 0; s < Resolution; ++s)
+    {
+      const glm::ivec2 to = glm::ivec2(s, t) + moved;
+      const bool isHeld = to.x >= 0 && to.y >= 0 && to.x < Resolution && to.y < Resolution;
+      changed += isHeld &&
+        std::abs(now.Depths[to.y * Resolution + to.x] - before.Depths[t * Resolution + s]) > 1e-5;
+    }
+  }
+  return changed;
+}
+
+// Of points of the floor, decisions that change while the same layer holds them.
+int ChangedDecisions(const Layer& before, const Layer& now, int* compared)
+{
+  int changed = 0;
+  for (int i = 0; i < 4000; ++i)
+  {
+    const double a = std::fmod(0.7548776662 * i, 1.0), b = std::fmod(0.5698402910 * i, 1.0);
+    const glm::dvec3 point(24 * a - 12, 0, 24 * b - 18);
+    const int was = before.Decide(point), is = now.Decide(point);
+    *compared += was >= 0 && is >= 0;
+    changed += was >= 0 && is >= 0 && was != is;
+  }
+  return changed;
+}
+
+// A camera that goes by no number of whole pixels, and neither of texels, nor along an axis.
+void TestTranslation()
+{
+  for (const bool stable : { true, false })
+  {
+    rtwShadowStage stage(rtwTechnique::Cascades);
+    SetUp(stage, stable);
+    stage.AddSun(3, 5, 2);
+    // Nothing but the camera makes a difference.
+    stage.Renderer->GetActiveCamera()->SetClippingRange(0.5, 80);
+    int texels = 0, decisions = 0, compared = 0;
+    std::unique_ptr<Layers3> before;
+    for (int frame = 0; frame < 10; ++frame)
+    {
+      const glm::dvec3 moved = 0.173 * frame * glm::dvec3(1, 0.31, -0.77);
+      vtkCamera* camera = stage.Renderer->GetActiveCamera();
+      camera->SetPosition(moved.x, 5 + moved.y, 14 + moved.z);
+      camera->SetFocalPoint(moved.x, 1 + moved.y, moved.z);
+      stage.Render();
+      std::unique_ptr<Layers3> now = ReadLayers(stage);
+      for (int i = 0; before && i < Layers; ++i)
+      {
+        RTW_CHECK(!stable || (*now)[i].From == (*before)[i].From);
+        texels += ChangedTexels((*before)[i], (*now)[i]);
+        decisions += ChangedDecisions((*before)[i], (*now)[i], &compared);
+      }
+      before = std::move(now);
+    }
+    std::cout << (stable ? "stable" : "fitted") << ", by parts of pixels: " << texels
+              << " texels and " << decisions << " of " << compared << " decisions differ"
+              << std::endl;
+    RTW_CHECK(compared > 10000);
+    RTW_CHECK_EQUAL(texels == 0 && decisions == 0, stable);
+  }
+}
+
 // They are right, too, and hold all that is seen, whatever light it is.
 void TestShadows()
 {
@@ -196,6 +319,7 @@ int TestCascadesStable(int, char*[])
 {
   TestTexels();
   TestFlicker();
+  TestTranslation();
   TestShadows();
   return rtwTestResult();
 }
