@@ -111,7 +111,8 @@ void TestScene(const char* name)
             << " of the whole scene's area; around what is seen, so turned, "
             << areas[1][1] / areas[1][0] << " of the area without a turn" << std::endl;
   RTW_CHECK(areas[0][1] <= 1.001 * areas[0][0]);
-  RTW_CHECK(areas[1][1] <= 1.001 * areas[0][1]); // what is seen lies in it
+  RTW_CHECK(areas[1][1] <= 1.001 * areas[1][0]);
+  RTW_CHECK(areas[1][1] <= 1.12 * areas[0][1]); // what is seen lies in it; it stays for a tenth
 }
 }
 

@@ -11,16 +11,26 @@ constexpr std::size_t MostViewers = 64; // who may have gone without a word
 constexpr double LeastAlong = 1e-6;     // below it there is nothing but rounding
 }
 
-void LightTurning::Begin(
-  Turning kind, const void* viewer, const std::vector<ShadowLight>& lights, const View& view)
+bool LightTurning::IsBySamples() const
 {
+  return this->Kind == Turning::Automatic || this->IsByArea();
+}
+
+void LightTurning::Begin(Turning kind, const void* viewer, const std::vector<ShadowLight>& lights,
+  const View& view, const std::vector<double>& minimal)
+{
+  const bool isOther = this->Kind != kind;
   this->Kind = kind;
   this->Viewer = viewer;
   this->Turns.assign(lights.size(), 0.0);
   this->Candidates.clear();
-  if (kind != Turning::Automatic || this->Choices.size() > MostViewers)
+  if (isOther || !this->IsBySamples() || this->Choices.size() > MostViewers)
   {
     this->Forget();
+  }
+  if (kind == Turning::MinimalFrustum)
+  {
+    this->Turns = minimal;
   }
   std::vector<double> aligned;
   for (const ShadowLight& light : lights)
@@ -32,7 +42,7 @@ void LightTurning::Begin(
   {
     this->Turns = aligned;
   }
-  if (kind != Turning::Automatic)
+  if (!this->IsBySamples())
   {
     return;
   }
@@ -51,7 +61,8 @@ void LightTurning::Begin(
   this->Turns = choice.Turns;
   for (std::size_t i = 0; i < lights.size(); ++i)
   {
-    this->Candidates.push_back(TurnCandidates(this->Turns[i], aligned[i]));
+    this->Candidates.push_back(this->IsByArea() ? AreaCandidates(this->Turns[i], minimal[i])
+                                                : TurnCandidates(this->Turns[i], aligned[i]));
   }
 }
 
@@ -63,7 +74,7 @@ bool LightTurning::IsUndecided() const
 
 bool LightTurning::IsToAsk(std::uint64_t signature)
 {
-  if (this->Kind != Turning::Automatic)
+  if (!this->IsBySamples())
   {
     return false;
   }
@@ -80,7 +91,7 @@ void LightTurning::Ask(
   this->Stage.Start(lights, input, choice.Answer);
 }
 
-void LightTurning::Take(Choice& choice)
+void LightTurning::Take(Choice& choice) const
 {
   std::size_t count = 0;
   for (const std::vector<double>& turns : choice.Compared)
@@ -97,7 +108,8 @@ void LightTurning::Take(Choice& choice)
   {
     const std::vector<double>& turns = choice.Compared[i];
     const auto end = first + static_cast<std::ptrdiff_t>(turns.size());
-    choice.Turns[i] = turns[BestTurn({ first, end })];
+    const std::vector<float> measures(first, end);
+    choice.Turns[i] = turns[this->IsByArea() ? LeastTurn(measures) : BestTurn(measures)];
     first = end;
   }
 }

@@ -18,19 +18,21 @@ enum class Turning
   Off,
   ViewAligned,
   Automatic,
-  MinimalFrustum, ///< Set() tells
-  AlongView       ///< ViewAligned, for a warp that has come to nothing where there is no such turn
+  MinimalFrustum,
+  AlongView, ///< ViewAligned, for a warp that has come to nothing where there is no such turn
+  LeastArea  ///< MinimalFrustum, of the view samples
 };
 
 class LightTurning
 {
 public:
   /// Before a frame: what has been found out by now counts from this one on. `viewer` tells apart
-  /// those who take turns.
-  void Begin(
-    Turning kind, const void* viewer, const std::vector<ShadowLight>& lights, const View& view);
-  /// Instead of what Begin() has found.
-  void Set(const std::vector<double>& turns) { this->Turns = turns; }
+  /// those who take turns; `minimal` are the minimal frusta's, where they are asked for.
+  void Begin(Turning kind, const void* viewer, const std::vector<ShadowLight>& lights,
+    const View& view, const std::vector<double>& minimal);
+  /// Whether turns are told by view samples, and by the areas that these take.
+  bool IsBySamples() const;
+  bool IsByArea() const { return this->Kind == Turning::LeastArea; }
   /// Of each light, in radians.
   const std::vector<double>& GetTurns() const { return this->Turns; }
   /// Whether nothing has been found out about these lights yet.
@@ -60,7 +62,7 @@ private:
     std::vector<std::vector<double>> Compared;
     Readback Answer; ///< the errors of those
   };
-  static void Take(Choice& choice);
+  void Take(Choice& choice) const;
   void Forget();
 
   TurnStage Stage;

@@ -10,6 +10,7 @@ namespace rtw
 namespace
 {
 constexpr int Steps = 8; // of a right angle
+constexpr int AreaSteps = 32;
 constexpr double MuchBetter = 0.9;
 // As in rtwTurnErrors.glsl.
 constexpr int Cells = 256;
@@ -27,6 +28,17 @@ glm::dvec2 Turned(const glm::dvec2& v, double turn)
 int CellOf(double place, double low, double high)
 {
   return std::clamp(static_cast<int>((place - low) / (high - low) * Cells), 0, Cells - 1);
+}
+
+std::vector<double> Candidates(double first, int steps, double last)
+{
+  std::vector<double> turns{ first };
+  for (int i = 0; i < steps; ++i)
+  {
+    turns.push_back(glm::radians(90.0) * i / steps);
+  }
+  turns.push_back(last);
+  return turns;
 }
 
 // Of texels in each cell, times the mean.
@@ -55,13 +67,12 @@ std::vector<double> Spread(const std::vector<double>& asked)
 
 std::vector<double> TurnCandidates(double inForce, double viewAligned)
 {
-  std::vector<double> turns{ inForce };
-  for (int i = 0; i < Steps; ++i)
-  {
-    turns.push_back(glm::radians(90.0) * i / Steps);
-  }
-  turns.push_back(viewAligned);
-  return turns;
+  return Candidates(inForce, Steps, viewAligned);
+}
+
+std::vector<double> AreaCandidates(double inForce, double minimal)
+{
+  return Candidates(inForce, AreaSteps, minimal);
 }
 
 std::size_t BestTurn(const std::vector<float>& errors)
@@ -73,6 +84,12 @@ std::size_t BestTurn(const std::vector<float>& errors)
     best = isMuchBetter && (best == 0 || errors[i] < errors[best]) ? i : best;
   }
   return best;
+}
+
+std::size_t LeastTurn(const std::vector<float>& areas)
+{
+  const std::size_t best = BestTurn(areas);
+  return best == 0 && areas.size() > 1 && areas[1] < areas[0] ? 1 : best;
 }
 
 double Misplacement(const TurnSample& s, const glm::dvec2& off)

@@ -17,6 +17,14 @@ std::vector<double> TurnCandidates(double inForce, double viewAligned);
 /// The index of the least error, if that is a tenth less than the first; else 0.
 std::size_t BestTurn(const std::vector<float>& errors);
 
+/// In radians: first the one in force, then none, then all that differ on a rectangle, 2.8 degrees
+/// apart, then that of the minimal frustum.
+std::vector<double> AreaCandidates(double inForce, double minimal);
+
+/// The index of the least area, if that is a tenth less than the first; else 1, no turn, where that
+/// has less than the first, so that a turn never takes more than none; else 0.
+std::size_t LeastTurn(const std::vector<float>& areas);
+
 /// A view sample on the light plane.
 struct TurnSample
 {

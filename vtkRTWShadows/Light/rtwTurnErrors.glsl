@@ -1,5 +1,5 @@
-// The error that a light's map would have with its plane turned otherwise, predicted from listed view samples: the bounds of the turned
-// samples, the density of texels that an adaptive warp gives each column and row, the square root of the demand there, and by how
+// The error that a light's map would have with its plane turned otherwise, or the area that it would hold, predicted from listed view
+// samples: the bounds of the turned samples, the density of texels that an adaptive warp gives each column and row, the square root of the demand there, and by how
 // many pixels the shadow edges move that are off by a texel. A work group a turn.
 layout(local_size_x = 256) in;
 const int GROUP = 256;
@@ -27,6 +27,7 @@ uniform int rtwSlots;
 uniform int rtwFirstError;
 uniform int rtwAdapts;     // 0: the map is not warped
 uniform float rtwTexels;   // a side
+uniform int rtwAreas;      // 1: areas are asked for, not errors
 shared vec4 rtwPartial[GROUP];
 shared uint rtwAsked[2 * CELLS];
 shared float rtwDensity[2 * CELLS];
@@ -166,6 +167,15 @@ float rtwErrorOf(int edge, vec4 bounds)
 void main()
 {
   vec4 bounds = rtwFindBounds();
+  if (rtwAreas != 0)
+  {
+    if (me == 0)
+    {
+      vec2 sides = max(bounds.zw - bounds.xy, 0.0);
+      rtwErrors[rtwFirstError + turn] = sides.x * sides.y;
+    }
+    return;
+  }
   rtwAsk(bounds);
   rtwSpread();
   float mine = 0.0;

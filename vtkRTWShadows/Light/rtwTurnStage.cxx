@@ -128,6 +128,7 @@ void TurnStage::Compare(const TurnedLight& light, int first, const TurnInput& in
   this->Comparing.Set("rtwFirstError", first);
   this->Comparing.Set("rtwAdapts", input.Adapts ? 1 : 0);
   this->Comparing.Set("rtwTexels", float(input.Texels));
+  this->Comparing.Set("rtwAreas", input.Areas ? 1 : 0);
   Dispatch(static_cast<int>(light.By.size()));
 }
 

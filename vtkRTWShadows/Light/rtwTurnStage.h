@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The errors that a light's map would have at several turns of its plane, predicted on the GPU from
-// view samples.
+// The errors that a light's map would have at several turns of its plane, or the areas that it
+// would hold, predicted on the GPU from view samples.
 #ifndef rtwTurnStage_h
 #define rtwTurnStage_h
 
@@ -33,17 +33,18 @@ struct TurnInput
   const Texture* Mask = nullptr; ///< of the samples, a layer a light; none where all count as edges
   int Texels = 1;                ///< a side of the map
   bool Adapts = true;            ///< whether the map is warped by demand
+  bool Areas = false;            ///< whether areas are asked for, not errors
 };
 
 class TurnStage
 {
 public:
-  static constexpr int MostTurns = 12;
+  static constexpr int MostTurns = 36;
 
   bool Build();
   std::string GetLog() const;
-  /// Starts to find the errors of all turns of each light: the answer will be floats, one a turn,
-  /// one after another, in any unit.
+  /// Starts to find the errors, or areas, of all turns of each light: the answer will be floats,
+  /// one a turn, one after another, in any unit.
   void Start(const std::vector<TurnedLight>& lights, const TurnInput& input, Readback& answer);
   void Release();
   void Abandon();

@@ -156,13 +156,13 @@ void ShadowPipeline::MakeFrames(const FrameScene& scene, const std::vector<Shado
   }
 }
 
-void ShadowPipeline::FindMinimalFrusta(
+std::vector<double> ShadowPipeline::FindMinimalFrusta(
   const FrameScene& scene, const std::vector<ShadowLight>& lights, Turning turn)
 {
   this->Minimal.assign(lights.size(), {});
-  if (turn != Turning::MinimalFrustum)
+  if (turn != Turning::MinimalFrustum && turn != Turning::LeastArea)
   {
-    return;
+    return {};
   }
   const std::vector<glm::dvec3> corners =
     VisibleCorners(this->Viewed.ViewToWorld * this->Viewed.ClipToView, scene.Low, scene.High);
@@ -178,7 +178,7 @@ void ShadowPipeline::FindMinimalFrusta(
         BoundsOnLightPlane(this->MakeFrame(scene, lights[i], minimal->Turn), corners);
     }
   }
-  this->Turns.Set(turns);
+  return turns;
 }
 
 Turning ShadowPipeline::TurningOf(const PipelineOptions& options) const
@@ -186,6 +186,10 @@ Turning ShadowPipeline::TurningOf(const PipelineOptions& options) const
   if (this->OwnDrawing && this->Warp->LiesAlongView())
   {
     return Turning::AlongView;
+  }
+  if (this->OwnDrawing && options.FocusOnView && options.Turn == Turning::MinimalFrustum)
+  {
+    return Turning::LeastArea;
   }
   return this->OwnDrawing || options.Turn != Turning::Automatic ? options.Turn : Turning::Off;
 }
@@ -233,13 +237,13 @@ bool ShadowPipeline::Update(const View& view, const FrameScene& scene,
     return false;
   }
   const Turning turn = this->TurningOf(options);
-  this->Turns.Begin(turn, options.Viewer, lights, view);
-  this->FindMinimalFrusta(scene, lights, turn);
+  this->Turns.Begin(
+    turn, options.Viewer, lights, view, this->FindMinimalFrusta(scene, lights, turn));
   // Which changes the signature.
   this->Incomplete = (this->Source && this->Source->WasIncomplete()) || this->Incomplete;
   const std::uint64_t signature = this->Sign(scene, lights, options);
   if (options.Caching && signature == this->LastSignature && this->Settled &&
-    this->Turns.GetTurns() == this->DrawnTurns)
+    this->Turns.GetTurns() == this->DrawnTurns && !this->Turns.IsUndecided())
   {
     // What no map depends on may have changed all the same.
     for (std::size_t i = 0; i < this->Frames.size(); ++i)

@@ -127,7 +127,8 @@ public:
   /// share them.
   int GetOtherLayers() const { return this->OtherLayers; }
   /// Of each light, where that is how its plane is turned; it sets the turns.
-  void FindMinimalFrusta(
+  /// The turns.
+  std::vector<double> FindMinimalFrusta(
     const FrameScene& scene, const std::vector<ShadowLight>& lights, Turning turn);
   /// Whether such layers are needed for a scene.
   int CountOtherLayers(const FrameScene& scene, std::size_t layers) const;

@@ -165,7 +165,7 @@ void ShadowPipeline::AskForTurns(
   }
   this->Turns.Ask(lights,
     { this->Sampler, this->GetStride(options), mask, options.Resolution,
-      this->Warp->NeedsViewSamples() },
+      this->Warp->NeedsViewSamples(), this->Turns.IsByArea() },
     this->LastSignature);
 }
 }

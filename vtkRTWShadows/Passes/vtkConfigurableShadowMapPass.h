@@ -204,11 +204,12 @@ public:
    * that a better turn is taken a frame or two late, and only where it has a tenth less error, so
    * that it doesn't pop to and fro. When all stands still maps are drawn at most once more.
    * AUTOMATIC is OFF below OpenGL 4.3. MINIMAL_FRUSTUM lays the map along the smallest rectangle
-   * around what the view's frustum and the scene's bounds have in common, as the light sees it
-   * (Milet et al. 2015, section 3.2), found on the CPU. Without FocusOnView the map is that
-   * rectangle, which needs no view samples; with it, what the samples take of it. Where there is no
-   * such rectangle it is OFF. A vtkPerspectiveShadowMapWarp always lies along the view, whatever is
-   * set. Default: OFF.
+   * around what is seen (Milet et al. 2015, section 3.2). Without FocusOnView that is what the
+   * view's frustum and the scene's bounds have in common, as the light sees it: an exact rectangle,
+   * found on the CPU with no view samples; where there is none it is OFF. With it, it is what the
+   * samples take, of turns 2.8 degrees apart, that rectangle's and OFF: chosen on the GPU as
+   * AUTOMATIC is, only where it has a tenth less area, and never where OFF has less. A
+   * vtkPerspectiveShadowMapWarp always lies along the view, whatever is set. Default: OFF.
    */
   virtual void SetLightPlaneTurn(int turn);
   vtkGetMacro(LightPlaneTurn, int);

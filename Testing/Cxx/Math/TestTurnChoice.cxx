@@ -65,6 +65,29 @@ TEST(TurnChoice, StaysUnlessAnotherIsATenthBetter)
   EXPECT_EQ(rtw::BestTurn({}), 0u);
 }
 
+TEST(TurnChoice, ComparesAreasWithoutATurnToo)
+{
+  const std::vector<double> turns = rtw::AreaCandidates(0.3, 1.2);
+  ASSERT_EQ(turns.size(), 34u);
+  EXPECT_EQ(turns.front(), 0.3);
+  EXPECT_EQ(turns[1], 0.0);
+  EXPECT_NEAR(turns[32], glm::radians(87.1875), 1e-12);
+  EXPECT_EQ(turns.back(), 1.2);
+}
+
+TEST(TurnChoice, TakesNoMoreAreaThanWithoutATurn)
+{
+  const float notANumber = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_EQ(rtw::LeastTurn({ 1.f, 1.f, 0.95f }), 0u);
+  EXPECT_EQ(rtw::LeastTurn({ 1.f, 1.f, 0.8f, 0.7f }), 3u);
+  EXPECT_EQ(rtw::LeastTurn({ 1.f, 0.99f, 0.95f }), 1u);
+  EXPECT_EQ(rtw::LeastTurn({ 1.f, 0.8f, 0.7f }), 2u);
+  EXPECT_EQ(rtw::LeastTurn({ 0.f, 0.f, 0.f }), 0u);
+  EXPECT_EQ(rtw::LeastTurn({ 1.f, notANumber, 0.95f }), 0u);
+  EXPECT_EQ(rtw::LeastTurn({ 1.f }), 0u);
+  EXPECT_EQ(rtw::LeastTurn({}), 0u);
+}
+
 // E = (∫√d ds)² / R along each axis, of which this is the mean, where all is an edge.
 TEST(TurnChoice, ErrorIsTheDemandsLeast)
 {
