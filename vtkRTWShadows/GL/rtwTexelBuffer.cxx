@@ -20,7 +20,11 @@ void TexelBuffer::Allocate(int components, std::size_t elements)
     glGenTextures(1, &this->Texture);
   }
   glBindTexture(GL_TEXTURE_BUFFER, this->Texture);
-  glTexBuffer(GL_TEXTURE_BUFFER, components == 2 ? GL_RG32F : GL_RGBA32F, this->Values.GetId());
+  glTexBuffer(GL_TEXTURE_BUFFER,
+    components == 1     ? GL_R32F
+      : components == 2 ? GL_RG32F
+                        : GL_RGBA32F,
+    this->Values.GetId());
   glBindTexture(GL_TEXTURE_BUFFER, 0);
 }
 

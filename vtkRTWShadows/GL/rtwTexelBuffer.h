@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A buffer of 2- or 4-float elements that any shader can read as a buffer texture, and a compute
-// shader write as storage.
+// A buffer of 1-, 2- or 4-float elements that any shader can read as a buffer texture, and a
+// compute shader write as storage.
 #ifndef rtwTexelBuffer_h
 #define rtwTexelBuffer_h
 
@@ -17,8 +17,8 @@ public:
   TexelBuffer(const TexelBuffer&) = delete;
   TexelBuffer& operator=(const TexelBuffer&) = delete;
 
-  /// Makes room for that many elements of 2 or 4 floats; what was there is lost if there was less
-  /// of it.
+  /// Makes room for that many elements of 1, 2 or 4 floats; what was there is lost if there was
+  /// less of it.
   void Allocate(int components, std::size_t elements);
   void Write(std::size_t first, const float* values, std::size_t elements);
   /// From another buffer with elements as large, on the GPU.
@@ -27,6 +27,7 @@ public:
   /// Binds it to a texture unit, by its number.
   void Bind(int unit) const;
   void Unbind(int unit) const;
+  void Clear() { this->Values.Clear(); } ///< fills it with zeros
   void BindStorage(unsigned int binding) const { this->Values.BindStorage(binding); }
   void BindUniforms(unsigned int binding, std::size_t offset, std::size_t bytes) const;
   std::size_t GetMemory() const { return this->Values.GetSize(); }

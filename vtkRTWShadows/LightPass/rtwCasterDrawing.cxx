@@ -16,6 +16,9 @@
 #include "rtwCoverInFront.h"
 #include "rtwCullCasters.h"
 #include "rtwCullTriangles.h"
+#include "rtwDeepest.h"
+#include "rtwDeepestIn.h"
+#include "rtwDeepestSamples.h"
 #include "rtwFocusMatrices.h"
 #include "rtwGeometryStore.h"
 #include "rtwOpenGL.h"
@@ -119,10 +122,10 @@ bool CasterDrawing::Build(const WarpShape& warp, TableAccess access)
            { { GL_COMPUTE_SHADER, { stored, rtwWarpFocus, rtwFocusMatrices } } }) &&
     this->Culling.Build({ { GL_COMPUTE_SHADER,
       { stored, rtwWarpFocus, warp.Function, warp.Bend, rtwClusterDraw, limits.c_str(),
-        rtwPatchClasses, rtwCasterWork, rtwCullCasters } } }) &&
+        rtwPatchClasses, rtwCasterWork, rtwDeepest, rtwDeepestIn, rtwCullCasters } } }) &&
     this->CullingTriangles.Build({ { GL_COMPUTE_SHADER,
       { stored, rtwWarpFocus, warp.Function, warp.Bend, limits.c_str(), rtwCasterWork,
-        rtwCasterTriangle, rtwCullTriangles } } }) &&
+        rtwCasterTriangle, rtwDeepest, rtwDeepestIn, rtwCullTriangles } } }) &&
     this->SettingUp.Build({ { GL_COMPUTE_SHADER,
       { stored, rtwWarpFocus, warp.Function, warp.Bend, limits.c_str(), rtwCasterWork,
         rtwCasterTriangle, rtwCasterRecords, rtwPatchClasses, rtwCasterCovers, cover,
@@ -177,6 +180,7 @@ void CasterDrawing::Prepare(const Program& program, const Layer& layer) const
   program.Use();
   layer.Table.Bind(program);
   layer.Table.BindLayer(layer.Index);
+  DeepestSamples::Bind(program, layer.Deepest);
   program.Set("rtwLayer", layer.Index);
   program.Set("rtwNearestW", NearestW(layer.Frame));
   const Bending bends = this->BendingOf(layer);
@@ -289,13 +293,13 @@ void CasterDrawing::DrawThin(const Layer& layer)
 }
 
 void CasterDrawing::Draw(const GeometryStore& store, const WarpTable& table,
-  const LightFrame& frame, int index, const CasterOptions& options)
+  const LightFrame& frame, int index, const CasterOptions& options, const DeepestSamples* deepest)
 {
   if (store.GetInstances().empty())
   {
     return;
   }
-  const Layer layer{ store, table, frame, index, options };
+  const Layer layer{ store, table, frame, index, options, deepest };
   this->Focus(layer);
   const int most = this->InTiles ? MostClustersInTiles : MostClusters;
   for (int first = 0; first < store.GetNumberOfDraws(); first += most)

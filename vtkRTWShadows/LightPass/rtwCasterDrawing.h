@@ -18,6 +18,7 @@
 
 namespace rtw
 {
+class DeepestSamples;
 class GeometryStore;
 
 /// What becomes of triangles that the warp bends; the numbers are the users'.
@@ -60,7 +61,7 @@ public:
   void StartLayer(int layer);
   /// Draws what a layer needs of the store into the target that is bound.
   void Draw(const GeometryStore& store, const WarpTable& table, const LightFrame& frame, int layer,
-    const CasterOptions& options);
+    const CasterOptions& options, const DeepestSamples* deepest = nullptr);
   /// Of a layer in the last frame. Waits for the GPU.
   CasterCounts ReadCounts(int layer) const;
   std::size_t GetMemory() const;
@@ -74,7 +75,9 @@ private:
     const WarpTable& Table;
     const LightFrame& Frame;
     int Index;
+
     CasterOptions Options;
+    const DeepestSamples* Deepest;
   };
 
   std::array<Program*, 8> Programs();

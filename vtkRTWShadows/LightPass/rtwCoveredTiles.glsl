@@ -38,7 +38,8 @@ struct Covered
   vec2 high;
   bool crosses;
   ivec4 texels; // that it can take: first, last
-  float depth;
+  float depth;  // the least
+  vec3 plane;   // slope of depth, and that of the anchor
 };
 
 Covered rtwLoadCovered(uint caster)
@@ -55,6 +56,7 @@ Covered rtwLoadCovered(uint caster)
   c.high = rtwBent[caster].bounds.zw;
   c.crosses = rtwBent[caster].corners[1].z != 0.0;
   c.texels = rtwBent[caster].texels;
+  c.plane = vec3(rtwBent[caster].edges[0].w, rtwBent[caster].edges[1].w, rtwBent[caster].anchor.z);
   c.depth = max(rtwBent[caster].edges[2].w, 0.0);
   return c;
 }
@@ -66,6 +68,15 @@ bool rtwIsBeside(Covered c, Tile tile, vec2 side, vec2 other)
   float reach = abs(dot(across, other)) + dot(abs(across), tile.stray + ROUNDING);
   vec3 away = vec3(dot(across, c.corners[0] - tile.middle), dot(across, c.corners[1] - tile.middle), dot(across, c.corners[2] - tile.middle));
   return min(min(away.x, away.y), away.z) > reach || max(max(away.x, away.y), away.z) < -reach;
+}
+
+// The least depth that it can have in a tile.
+float rtwNearestIn(Covered c, Tile tile)
+{
+  vec2 slope = c.plane.xy;
+  float reach = abs(dot(slope, tile.alongX)) + abs(dot(slope, tile.alongY)) + dot(abs(slope), tile.stray);
+  float onPlane = c.plane.z + dot(slope, tile.middle - c.anchor) - reach;
+  return onPlane > c.depth ? onPlane : c.depth;
 }
 
 // -1 beside the triangle, 1 in it, 0 neither.

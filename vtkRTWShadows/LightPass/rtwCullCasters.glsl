@@ -1,4 +1,4 @@
-// Which clusters can cast a shadow into a layer, and how many triangles at the start of each, the largest, the warp may bend.
+// Which clusters can cast a shadow into a layer that is seen, and how many triangles at the start of each, the largest, the warp may bend.
 layout(local_size_x = 64) in;
 layout(std430, binding = 5) buffer Counts
 {
@@ -69,6 +69,17 @@ uint rtwBentIndices(Cluster cluster, mat4 m, Extent e)
   return end;
 }
 
+bool rtwCanShadow(Extent e)
+{
+  if (e.leastW < rtwNearestW) // it reaches behind the light, where its corners tell nothing
+  {
+    return e.mostW >= rtwNearestW;
+  }
+  vec4 bounds = rtwBoundsOnMap(rtwLayer, e.low, e.high) * float(rtwWarpSize.y);
+  return all(lessThanEqual(e.low, vec2(1.0))) && all(greaterThanEqual(e.high, vec2(0.0))) && e.nearest <= 1.0 &&
+    !rtwIsBehindAll(ivec4(bounds), e.nearest);
+}
+
 void main()
 {
   uint i = gl_GlobalInvocationID.x;
@@ -81,9 +92,7 @@ void main()
   mat4 m = rtwMatrices[draw.instance];
   Extent e = rtwExtentOf(cluster, m);
   bool crosses = e.leastW < rtwNearestW;
-  bool reaches = e.mostW >= rtwNearestW &&
-    (crosses || (all(lessThanEqual(e.low, vec2(1.0))) && all(greaterThanEqual(e.high, vec2(0.0))) && e.nearest <= 1.0));
-  bool casts = (draw.flags & CASTS) != 0u && (reaches || rtwCull == 0);
+  bool casts = (draw.flags & CASTS) != 0u && (rtwCanShadow(e) || rtwCull == 0);
   uint end = casts ? cluster.classEnd[SIZE_CLASSES - 1] : 0u;
   uint bent = !casts ? 0u : crosses ? end : rtwBending == 0 ? 0u : rtwBentIndices(cluster, m, e);
   rtwWork[i].straightDraw = uint[4](0u, 1u, 3u * MOST_TRIANGLES * i, 0u);

@@ -10,7 +10,7 @@ void main()
     if (rtwLoadCaster(i, t))
     {
       ivec4 texels = rtwTexels(rtwBoundsOnMap(rtwLayer, t.low, t.high));
-      if (all(greaterThanEqual(texels.zw, texels.xy)))
+      if (all(greaterThanEqual(texels.zw, texels.xy)) && !rtwIsBehindAll(texels, t.depths.x))
       {
         rtwWork[cluster].casters[atomicAdd(rtwWork[cluster].numberOfCasters, 1u)] = i;
       }

@@ -11,9 +11,11 @@ shared uint rtwCounts[4]; // of what becomes of the work group's, then where tha
 
 uint rtwFateOf(Covered c, int level, ivec2 at, bool isPart)
 {
-  int side = rtwSideOf(c, rtwTile(rtwLayer, level, at));
+  Tile tile = rtwTile(rtwLayer, level, at);
+  int side = rtwSideOf(c, tile);
+  bool isUseful = isPart && side >= 0 && !rtwIsBehindAll(ivec4(at << level, ((at + 1) << level) - 1), rtwNearestIn(c, tile));
   uint divided = level > LEAST_TILE_LEVEL ? DIVIDED : TAKEN;
-  return !isPart || side < 0 ? NOWHERE : side > 0 ? COVER : divided;
+  return !isUseful ? NOWHERE : side > 0 ? COVER : divided;
 }
 
 void rtwAddPart(Covered c, int level, ivec2 at, uint fate, inout uint places[4])

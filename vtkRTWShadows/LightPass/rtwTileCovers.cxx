@@ -8,6 +8,8 @@
 #include "rtwCasterWork.h"
 #include "rtwCoveredCaster.h"
 #include "rtwCoveredTiles.h"
+#include "rtwDeepest.h"
+#include "rtwDeepestIn.h"
 #include "rtwDivideTiles.h"
 #include "rtwDrawing.h"
 #include "rtwFirstTiles.h"
@@ -36,7 +38,8 @@ bool TileCovers::Build(const WarpShape& warp, TableAccess access, const std::str
   const auto build = [&](Program& program, const char* code) {
     return program.Build({ { GL_COMPUTE_SHADER,
       { "#define TILES_GROUP 64u\n", stored, rtwWarpFocus, warp.Function, warp.Bend,
-        definitions.c_str(), rtwCasterWork, rtwCasterRecords, rtwCoveredTiles, code } } });
+        definitions.c_str(), rtwDeepest, rtwDeepestIn, rtwCasterWork, rtwCasterRecords,
+        rtwCoveredTiles, code } } });
   };
   return build(this->Starting, rtwFirstTiles) && build(this->Planning, rtwPlanTiles) &&
     build(this->Dividing, rtwDivideTiles) && build(this->Taking, rtwTakeTexels) &&

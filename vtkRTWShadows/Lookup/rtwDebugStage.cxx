@@ -12,6 +12,7 @@
 #include "rtwMaskValue.h"
 #include "rtwOpenGL.h"
 #include "rtwSampleDepth.h"
+#include "rtwSampleMoves.h"
 #include "rtwScreenVS.h"
 #include "rtwTexture.h"
 #include "rtwViewSampleAccess.h"
@@ -72,14 +73,14 @@ bool DebugStage::Build(const WarpShape& warp)
            { { GL_VERTEX_SHADER, { rtwScreenVS } },
              { GL_FRAGMENT_SHADER,
                { views.c_str(), rtwWarpFocus, rtwLayerInterval, warp.Function, warp.Slope,
-                 rtwViewSampleAccess, rtwSampleDepth, rtwLitSample, rtwMapSample, rtwAliasingError,
-                 rtwMaskValue, rtwDebugColours, rtwDebugViewFS } } },
+                 rtwViewSampleAccess, rtwSampleDepth, rtwLitSample, rtwSampleMoves, rtwMapSample,
+                 rtwAliasingError, rtwMaskValue, rtwDebugColours, rtwDebugViewFS } } },
            150) &&
     this->Measuring.Build(
       { { GL_VERTEX_SHADER, { rtwScreenVS } },
         { GL_FRAGMENT_SHADER,
           { rtwWarpFocus, rtwLayerInterval, warp.Function, warp.Slope, rtwViewSampleAccess,
-            rtwLitSample, rtwMapSample, rtwAliasingError, rtwAliasingErrorFS } } },
+            rtwLitSample, rtwSampleMoves, rtwMapSample, rtwAliasingError, rtwAliasingErrorFS } } },
       150);
 }
 

@@ -7,6 +7,7 @@
 #include "rtwMapSample.h"
 #include "rtwOpenGL.h"
 #include "rtwPredictedErrorFS.h"
+#include "rtwSampleMoves.h"
 #include "rtwScreenVS.h"
 #include "rtwShadowEdge.h"
 #include "rtwViewSampleAccess.h"
@@ -41,8 +42,8 @@ bool ErrorPrediction::Build(const WarpShape& warp)
     { { GL_VERTEX_SHADER, { rtwScreenVS } },
       { GL_FRAGMENT_SHADER,
         { definitions.c_str(), rtwWarpFocus, rtwLayerInterval, warp.Function, warp.Slope,
-          rtwViewSampleAccess, rtwLitSample, rtwMapSample, rtwAliasingError, rtwShadowEdge,
-          rtwPredictedErrorFS } } },
+          rtwViewSampleAccess, rtwLitSample, rtwSampleMoves, rtwMapSample, rtwAliasingError,
+          rtwShadowEdge, rtwPredictedErrorFS } } },
     150);
 }
 

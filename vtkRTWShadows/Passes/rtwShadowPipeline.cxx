@@ -349,6 +349,7 @@ void ShadowPipeline::Abandon()
   this->Sampler.Abandon();
   this->Focus.Abandon();
   this->Casters.Abandon();
+  this->Deepest.Abandon();
   this->Images.Abandon();
   this->Masking.Abandon();
   this->Debugging.Abandon();
@@ -381,6 +382,7 @@ void ShadowPipeline::Release(vtkOpenGLRenderWindow* window)
   this->Sampler.Release();
   this->Focus.Release();
   this->Casters.Release();
+  this->Deepest.Release();
   this->Images.Release();
   this->Masking.Release();
   this->Debugging.Release();

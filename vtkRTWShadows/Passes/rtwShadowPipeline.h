@@ -7,6 +7,7 @@
 #include "rtwCapabilities.h"
 #include "rtwCasterDrawing.h"
 #include "rtwDebugStage.h"
+#include "rtwDeepestSamples.h"
 #include "rtwDenseLayers.h"
 #include "rtwErrorPrediction.h"
 #include "rtwFocus.h"
@@ -196,6 +197,8 @@ private:
     StateGuard& guard, const PipelineOptions& options, const MapperDrawing& mappers);
   void RunWarp(const FrameScene& scene, const PipelineOptions& options, bool hasImages,
     const Texture* lastMask);
+  const DeepestSamples* FindDeepest(
+    const LightFrame& frame, const FrameScene& scene, const PipelineOptions& options);
   void DrawLayer(StateGuard& guard, int layer, const FrameScene& scene,
     const PipelineOptions& options, const MapperDrawing& mappers, bool own);
   bool NeedsViewSamples(const PipelineOptions& options) const;
@@ -239,6 +242,7 @@ private:
   std::vector<double> DrawnTurns; ///< of the layers as they are
   FocusStage Focus;
   CasterDrawing Casters;
+  DeepestSamples Deepest;
   LightImages Images;
   MaskStage Masking;
   DebugStage Debugging;

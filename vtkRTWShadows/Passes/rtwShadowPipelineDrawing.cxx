@@ -130,6 +130,7 @@ void ShadowPipeline::Draw(const FrameScene& scene, const std::vector<ShadowLight
   this->Counted.ShadowMemory = static_cast<std::int64_t>(this->Layers.GetMemory() +
     this->Table.GetMemory() + this->Sampler.GetMemory() + this->Masking.GetMask().GetMemory() +
     this->Casters.GetMemory() + this->Images.GetMemory() + this->Focus.GetMemory() +
+    this->Deepest.GetMemory() +
     (this->Source ? this->Source->GetMemory() : 0));
 }
 
@@ -237,6 +238,21 @@ const Texture& ShadowPipeline::GetMask(
   return this->Masking.GetMask();
 }
 
+// Where only view samples are looked up, and where it pays: tiles cost far more than samples do.
+const DeepestSamples* ShadowPipeline::FindDeepest(
+  const LightFrame& frame, const FrameScene& scene, const PipelineOptions& options)
+{
+  const bool areAll = this->HasSamples && !this->Resampled && options.Masked &&
+    scene.UnsampledReceivers.empty() && options.Lookup.FilterWorld == 0;
+  const bool pays = this->GetShape().Kind == WarpKind::Grid && frame.Parts == 1;
+  if (!areAll || !pays || !options.Casters.Cull || !this->Deepest.Build(this->GetShape()))
+  {
+    return nullptr;
+  }
+  this->Deepest.Find(frame, this->Sampler, this->Table, options.Lookup.FilterTexels + 1);
+  return &this->Deepest;
+}
+
 void ShadowPipeline::DrawLayer(StateGuard& guard, int layer, const FrameScene& scene,
   const PipelineOptions& options, const MapperDrawing& mappers, bool own)
 {
@@ -250,7 +266,8 @@ void ShadowPipeline::DrawLayer(StateGuard& guard, int layer, const FrameScene& s
   if (own && this->OwnDrawing)
   {
     this->Casters.StartLayer(layer);
-    this->Casters.Draw(this->Store, this->Table, frame, layer, options.Casters);
+    this->Casters.Draw(this->Store, this->Table, frame, layer, options.Casters,
+      this->FindDeepest(frame, scene, options));
   }
   const int others = layer + this->OtherLayers;
   if (std::any_of(

@@ -241,7 +241,10 @@ public:
 
   ///@{
   /**
-   * Whether casters are left out of a layer that they can't reach. The picture is the same. Default: on.
+   * Whether casters are left out of a layer that they can't reach, and of one with a non-orthogonal
+   * warp those too, part by part, that lie behind all view samples there; not where the filter is
+   * SOFT or something is shaded that has no view samples. The picture is the same, but
+   * GetShadowMapImage() lacks them. Default: on.
    */
   vtkSetMacro(CullCasters, bool);
   vtkGetMacro(CullCasters, bool);

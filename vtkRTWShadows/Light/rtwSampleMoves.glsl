@@ -1,0 +1,38 @@
+// Where a pixel's surface lies on the light plane, and how far that moves from pixel to pixel. By derivatives, because perspective and a
+// spot bend differences to the next pixel.
+struct MovingSample
+{
+  bool seen;   // there is a receiver
+  bool lit;    // that faces the light and lies in its reach
+  vec3 here;   // in view coordinates
+  vec3 right;  // what that moves by to the pixel on the right, and to the one above
+  vec3 above;
+  vec4 h;      // on the light plane, before the division
+  mat2 moves;  // what its place there moves by
+};
+
+// A point on the light plane that moves by that in view coordinates; h is where it is projected.
+vec2 rtwMovesOnLight(vec4 h, vec3 step)
+{
+  vec4 change = rtwViewToLight * vec4(step, 0.0);
+  return (change.xy - h.xy / h.w * change.w) / h.w;
+}
+
+MovingSample rtwLoadMovingSample(ivec2 pixel)
+{
+  vec4 s = texelFetch(rtwSamples, pixel, 0);
+  vec2 step = 2.0 / vec2(textureSize(rtwSamples, 0));
+  bool parallel = rtwParallelView.x != 0.0;
+  vec2 ray = step * rtwRay.xy;
+  vec2 away = s.yz * rtwParallelView.x;
+  MovingSample m;
+  m.here = rtwViewPosition((vec2(pixel) + 0.5) * step - 1.0, s.x);
+  m.right = parallel ? vec3(ray.x, 0.0, -away.x) : (vec3(ray.x, 0.0, 0.0) - m.here * s.y) / s.x;
+  m.above = parallel ? vec3(0.0, ray.y, -away.y) : (vec3(0.0, ray.y, 0.0) - m.here * s.z) / s.x;
+  m.h = rtwViewToLight * vec4(m.here, 1.0);
+  m.moves = mat2(rtwMovesOnLight(m.h, m.right), rtwMovesOnLight(m.h, m.above));
+  m.seen = s.w > 0.0;
+  // As in the lookup: seen the other way round from the light plane's back.
+  m.lit = m.seen && m.h.w > 0.0 && determinant(m.moves) < 0.0 && rtwReached(m.h.xy / m.h.w);
+  return m;
+}
