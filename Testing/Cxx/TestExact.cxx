@@ -76,8 +76,8 @@ void TestWarps()
   }
 }
 
-// Glyphs cast by a map, on receivers whose other shadows are exact; translucent receivers and
-// windows with several samples a pixel look up maps.
+// Glyphs cast by a map, on receivers whose other shadows are exact; translucent receivers look up
+// maps.
 void TestMaps()
 {
   Stage glyphs("glyphs");

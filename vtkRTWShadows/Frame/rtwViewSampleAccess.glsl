@@ -19,17 +19,25 @@ struct SampledPlane
   vec3 above;
 };
 
-SampledPlane rtwLoadPlane(ivec2 pixel)
+// Under a point of a pixel, which lies beside its centre by so many pixels.
+SampledPlane rtwPlaneAt(vec4 s, ivec2 pixel, vec2 offset)
 {
-  vec4 s = texelFetch(rtwSamples, pixel, 0);
   vec2 step = 2.0 / vec2(textureSize(rtwSamples, 0));
-  vec2 clip = (vec2(pixel) + 0.5) * step - 1.0;
+  vec2 clip = (vec2(pixel) + 0.5 + offset) * step - 1.0;
+  bool parallel = rtwParallelView.x != 0.0;
+  float a = s.x + dot(s.yz, offset);
+  a = parallel ? a : max(a, 0.01 * s.x);
   // A plane that is seen nearly edge on leaves the view within a pixel.
-  vec2 beside = rtwParallelView.x != 0.0 ? s.x + s.yz : max(s.x + s.yz, vec2(0.01 * s.x));
+  vec2 beside = parallel ? a + s.yz : max(a + s.yz, vec2(0.01 * a));
   SampledPlane plane;
-  plane.seen = s.w > 0.0;
-  plane.here = rtwViewPosition(clip, s.x);
+  plane.seen = s.w > 0.0 && (parallel || a > 0.0);
+  plane.here = rtwViewPosition(clip, a);
   plane.right = rtwViewPosition(clip + vec2(step.x, 0.0), beside.x);
   plane.above = rtwViewPosition(clip + vec2(0.0, step.y), beside.y);
   return plane;
+}
+
+SampledPlane rtwLoadPlane(ivec2 pixel)
+{
+  return rtwPlaneAt(texelFetch(rtwSamples, pixel, 0), pixel, vec2(0.0));
 }

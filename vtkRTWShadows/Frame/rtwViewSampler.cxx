@@ -7,6 +7,7 @@
 #include "rtwOpenGL.h"
 #include "rtwPrimeDepthFS.h"
 #include "rtwResampleFS.h"
+#include "rtwResolveFS.h"
 #include "rtwSampleDepth.h"
 #include "rtwSamplePlace.h"
 #include "rtwScreenVS.h"
@@ -19,21 +20,28 @@
 
 namespace rtw
 {
+namespace
+{
+constexpr int ManyUnit = 4;
+}
+
 bool ViewSampler::Build()
 {
   return this->Culling.Build({ { GL_COMPUTE_SHADER, { rtwClusterDraw, rtwCullView } } }) &&
-    this->Drawing.Build({ { GL_VERTEX_SHADER, { rtwViewSampleVS } },
-      { GL_FRAGMENT_SHADER, { rtwViewSampleFS } } }) &&
+    this->Drawing.Build(
+      { { GL_VERTEX_SHADER, { rtwViewSampleVS } }, { GL_FRAGMENT_SHADER, { rtwViewSampleFS } } }) &&
     this->Priming.Build({ { GL_VERTEX_SHADER, { rtwScreenVS } },
       { GL_FRAGMENT_SHADER, { rtwViewSampleAccess, rtwSampleDepth, rtwPrimeDepthFS } } }) &&
     this->Resampling.Build({ { GL_VERTEX_SHADER, { rtwScreenVS } },
-      { GL_FRAGMENT_SHADER, { rtwSamplePlace, rtwResampleFS } } });
+      { GL_FRAGMENT_SHADER, { rtwSamplePlace, rtwResampleFS } } }) &&
+    this->Resolving.Build(
+      { { GL_VERTEX_SHADER, { rtwScreenVS } }, { GL_FRAGMENT_SHADER, { rtwResolveFS } } });
 }
 
 std::string ViewSampler::GetLog() const
 {
   return this->Culling.GetLog() + this->Drawing.GetLog() + this->Priming.GetLog() +
-    this->Resampling.GetLog();
+    this->Resampling.GetLog() + this->Resolving.GetLog();
 }
 
 void ViewSampler::Cull(const GeometryStore& store, bool receiving)
@@ -50,12 +58,39 @@ void ViewSampler::Cull(const GeometryStore& store, bool receiving)
   Dispatch(Groups(store.GetNumberOfDraws(), 64));
 }
 
-bool ViewSampler::Render(const View& view, const GeometryStore& store, bool own)
+void ViewSampler::Allocate(int samples)
+{
+  const int width = this->Viewed.Width, height = this->Viewed.Height;
+  this->Samples.Allocate(Format::Float4, width, height);
+  if (samples > 1)
+  {
+    this->Depth.AllocateSamples(Format::Depth, width, height, samples);
+    this->Many.AllocateSamples(Format::Float4, width, height, samples);
+  }
+  else
+  {
+    this->Depth.Allocate(Format::Depth, width, height);
+    this->Many.Release();
+  }
+}
+
+// Of the target that is bound.
+void ViewSampler::FindOffsets(int samples)
+{
+  this->Offsets.assign(static_cast<std::size_t>(std::max(samples, 1)), glm::vec2(0));
+  for (int i = 0; i < samples && samples > 1; ++i)
+  {
+    float place[2] = { 0.5f, 0.5f };
+    glGetMultisamplefv(GL_SAMPLE_POSITION, static_cast<GLuint>(i), place);
+    this->Offsets[i] = glm::vec2(place[0], place[1]) - 0.5f;
+  }
+}
+
+bool ViewSampler::Render(const View& view, const GeometryStore& store, bool own, int samples)
 {
   this->Viewed = view;
   this->Current = &this->Samples;
-  this->Depth.Allocate(Format::Depth, view.Width, view.Height);
-  this->Samples.Allocate(Format::Float4, view.Width, view.Height);
+  this->Allocate(samples);
   if (own)
   {
     std::vector<glm::mat4> matrices;
@@ -69,6 +104,7 @@ bool ViewSampler::Render(const View& view, const GeometryStore& store, bool own)
   {
     return false;
   }
+  this->FindOffsets(samples);
   Framebuffer::Clear(0);
   if (own && !store.GetInstances().empty())
   {
@@ -90,7 +126,7 @@ bool ViewSampler::Resample(const LastFrame& frame, int stride)
   this->Current = &this->Resampled;
   this->Resampled.Allocate(Format::Float4, this->Viewed.Width, this->Viewed.Height);
   StateGuard::PrepareDepthDrawing(false);
-  if (!this->ResamplingTarget.BindColour(this->Resampled))
+  if (!this->ScreenTarget.BindColour(this->Resampled))
   {
     return false;
   }
@@ -131,7 +167,26 @@ void ViewSampler::DrawThin(const GeometryStore& store)
 bool ViewSampler::BindTarget()
 {
   StateGuard::PrepareDepthDrawing(false);
-  return this->Target.Bind(this->Depth, &this->Samples);
+  if (this->Many.GetId())
+  {
+    glEnable(GL_MULTISAMPLE);
+  }
+  return this->Target.Bind(this->Depth, this->Many.GetId() ? &this->Many : &this->Samples);
+}
+
+void ViewSampler::Finish()
+{
+  if (this->GetSamplesAPixel() > 1 && this->ScreenTarget.BindColour(this->Samples))
+  {
+    this->Resolving.Use();
+    this->Many.Bind(0);
+    this->Resolving.Set("rtwManySamples", 0);
+    this->Resolving.Set("rtwSamplesAPixel", this->GetSamplesAPixel());
+    glUniform2fv(
+      this->Resolving.Location("rtwOffsets"), this->GetSamplesAPixel(), &this->Offsets.front().x);
+    this->Triangle.Draw();
+    this->Many.Unbind(0);
+  }
 }
 
 glm::dvec2 ViewSampler::DepthToSample(const View& view)
@@ -139,6 +194,13 @@ glm::dvec2 ViewSampler::DepthToSample(const View& view)
   // In a perspective clip z = P22 z + P23 and clip w = -z, so that 1/w = (clip z / w + P22) / P23.
   const glm::dmat4& p = view.ViewToClip;
   return view.Parallel ? glm::dvec2(1, 0) : glm::dvec2(2, p[2][2] - 1) / p[3][2];
+}
+
+glm::dvec2 ViewSampler::SampleToDistance(const View& view)
+{
+  // Window depth d gives z = (2 d - 1 - P23) / P22.
+  const glm::dmat4& p = view.ViewToClip;
+  return { view.Parallel ? -2 / p[2][2] : 0.0, (1 + p[3][2]) / p[2][2] };
 }
 
 glm::dvec3 ViewSampler::RayStep(const View& view)
@@ -173,16 +235,21 @@ void ViewSampler::Bind(const Program& program) const
                                                   : glm::dvec2(p[2][0], p[2][1]) * scale;
   this->Current->Bind(0);
   program.Set("rtwSamples", 0);
+  if (this->Many.GetId())
+  {
+    this->Many.Bind(ManyUnit);
+    program.Set("rtwManySamples", ManyUnit);
+  }
   glUniform4f(program.Location("rtwRay"), float(scale.x), float(scale.y), float(offset.x),
     float(offset.y));
-  // Window depth d gives z = (2 d - 1 - P23) / P22.
-  program.Set("rtwParallelView", this->Viewed.Parallel ? float(-2 / p[2][2]) : 0.f,
-    float((1 + p[3][2]) / p[2][2]));
+  const glm::dvec2 toDistance = SampleToDistance(this->Viewed);
+  program.Set("rtwParallelView", float(toDistance.x), float(toDistance.y));
 }
 
 std::size_t ViewSampler::GetMemory() const
 {
-  return this->Depth.GetMemory() + this->Samples.GetMemory() + this->Resampled.GetMemory();
+  return this->Depth.GetMemory() + this->Samples.GetMemory() + this->Many.GetMemory() +
+    this->Resampled.GetMemory();
 }
 
 void ViewSampler::Release()
@@ -190,8 +257,10 @@ void ViewSampler::Release()
   this->Depth.Release();
   this->Samples.Release();
   this->Resampled.Release();
+  this->Many.Release();
   this->Resampling.Release();
-  this->ResamplingTarget.Release();
+  this->Resolving.Release();
+  this->ScreenTarget.Release();
   this->Target.Release();
   this->Culling.Release();
   this->Drawing.Release();
@@ -207,8 +276,10 @@ void ViewSampler::Abandon()
   this->Depth.Abandon();
   this->Samples.Abandon();
   this->Resampled.Abandon();
+  this->Many.Abandon();
   this->Resampling.Abandon();
-  this->ResamplingTarget.Abandon();
+  this->Resolving.Abandon();
+  this->ScreenTarget.Abandon();
   this->Target.Abandon();
   this->Culling.Abandon();
   this->Drawing.Abandon();

@@ -11,6 +11,8 @@
 #include "rtwTexture.h"
 #include "rtwView.h"
 
+#include <vector>
+
 namespace rtw
 {
 class GeometryStore;
@@ -22,26 +24,36 @@ public:
   bool Build();
   std::string GetLog() const;
 
-  /// Draws the receivers of the store; without `own`, which Build() has to have allowed, it only clears.
-  bool Render(const View& view, const GeometryStore& store, bool own);
+  /// Draws the receivers of the store; without `own`, which Build() has to have allowed, it only
+  /// clears. With so many samples a pixel, where they are more than one.
+  bool Render(const View& view, const GeometryStore& store, bool own, int samples = 1);
   /// Takes the samples from a frame that has been drawn, one for each square of so many pixels a side.
   bool Resample(const LastFrame& frame, int stride);
   /// Makes the samples' target that of drawing again, for what VTK's mappers have to add.
   bool BindTarget();
+  /// When all is drawn: of several samples a pixel, finds the one that stands for it.
+  void Finish();
 
   /// Draws them as depth, a little farther than they are, into the target and viewport that are bound. `farther` is a distance that
   /// rounding doesn't exceed.
   void PrimeDepth(double farther);
-  /// Gives a program the samples.
+  /// Gives a program the samples, and, where there are several a pixel, them, as a second texture.
   void Bind(const Program& program) const;
   /// And what rtwSampleDepth.glsl needs to make them depth, farther by that distance or, below 0,
   /// nearer, and by a share of theirs.
   void BindDepth(const Program& program, double farther) const;
+  /// How many samples each pixel has, where they lie from its centre, in pixels, and they.
+  int GetSamplesAPixel() const { return static_cast<int>(this->Offsets.size()); }
+  const std::vector<glm::vec2>& GetOffsets() const { return this->Offsets; }
+  const Texture& GetManySamples() const { return this->Many; }
   const View& GetView() const { return this->Viewed; }
   int GetWidth() const { return this->Current->GetWidth(); }
   int GetHeight() const { return this->Current->GetHeight(); }
   /// How a mapper's window-space depth becomes what a sample holds of it: scale and offset.
   static glm::dvec2 DepthToSample(const View& view);
+  /// In a parallel view, from a sample to the distance along the view: scale and offset; else the
+  /// scale is 0.
+  static glm::dvec2 SampleToDistance(const View& view);
   /// From pixel to pixel in view coordinates at distance 1 (anywhere in a parallel view), and there depth a unit.
   static glm::dvec3 RayStep(const View& view);
   std::size_t GetMemory() const;
@@ -49,15 +61,19 @@ public:
   void Abandon();
 
 private:
+  void Allocate(int samples);
+  void FindOffsets(int samples);
   void Cull(const GeometryStore& store, bool receiving);
   void Draw(const GeometryStore& store, bool receiving);
   void DrawThin(const GeometryStore& store);
 
   View Viewed;
+  std::vector<glm::vec2> Offsets{ glm::vec2(0) };
   Texture Depth, Samples, Resampled;
+  Texture Many; ///< where there are several a pixel
   const Texture* Current = &Samples;
-  Framebuffer Target, ResamplingTarget;
-  Program Culling, Drawing, Priming, Resampling;
+  Framebuffer Target, ScreenTarget;
+  Program Culling, Drawing, Priming, Resampling, Resolving;
   Buffer Matrices, Commands;
   MeshArray Array;
   ScreenTriangle Triangle;

@@ -2,6 +2,7 @@
 
 #include "rtwOpenGL.h"
 
+#include <algorithm>
 #include <string>
 
 namespace rtw
@@ -37,6 +38,13 @@ Capabilities Capabilities::Query()
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &found.MaximumTextureSize);
   glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &found.MaximumLayers);
   glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &found.MaximumTexels);
+  if (version >= 32)
+  {
+    GLint colours = 0, depths = 0;
+    glGetIntegerv(GL_MAX_COLOR_TEXTURE_SAMPLES, &colours);
+    glGetIntegerv(GL_MAX_DEPTH_TEXTURE_SAMPLES, &depths);
+    found.MaximumSamples = std::min(colours, depths);
+  }
   GLint alignment = 256;
   glGetIntegerv(GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT, &alignment);
   found.FastUniforms = found.Compute && alignment <= 32 && IsSoftware();

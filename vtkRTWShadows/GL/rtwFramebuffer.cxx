@@ -15,7 +15,7 @@ void Attach(GLenum attachment, const Texture& texture, int layer)
   }
   else
   {
-    glFramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_2D, texture.GetId(), 0);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, attachment, texture.GetTarget(), texture.GetId(), 0);
   }
 }
 }

@@ -27,31 +27,58 @@ const FormatInfo& Info(Format format)
     { GL_RG32F, GL_RG, GL_FLOAT, 2, 8 },
     { GL_RGBA32F, GL_RGBA, GL_FLOAT, 4, 16 },
     { GL_R8, GL_RED, GL_UNSIGNED_BYTE, 1, 1 },
+    { GL_R16UI, GL_RED_INTEGER, GL_UNSIGNED_SHORT, 1, 2 },
   };
   return infos[static_cast<int>(format)];
 }
 }
 
-unsigned int Texture::Target() const
+unsigned int Texture::GetTarget() const
 {
+  if (this->Samples > 0)
+  {
+    return GL_TEXTURE_2D_MULTISAMPLE;
+  }
   return this->Layers > 0 ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D;
 }
 
-void Texture::Allocate(Format format, int width, int height, int layers)
+// False where it is that already; else an empty one of that kind is left.
+bool Texture::Becomes(Format format, int width, int height, int layers, int samples)
 {
   if (this->Id && this->Kind == format && this->Width == width && this->Height == height &&
-    this->Layers == layers)
+    this->Layers == layers && this->Samples == samples)
   {
-    return;
+    return false;
   }
   this->Release();
   this->Kind = format;
   this->Width = width;
   this->Height = height;
   this->Layers = layers;
-  const FormatInfo& info = Info(format);
-  const GLenum target = this->Target();
+  this->Samples = samples;
   glGenTextures(1, &this->Id);
+  return true;
+}
+
+void Texture::AllocateSamples(Format format, int width, int height, int samples)
+{
+  if (this->Becomes(format, width, height, 0, samples))
+  {
+    glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, this->Id);
+    glTexImage2DMultisample(
+      GL_TEXTURE_2D_MULTISAMPLE, samples, Info(format).Internal, width, height, GL_TRUE);
+    glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, 0);
+  }
+}
+
+void Texture::Allocate(Format format, int width, int height, int layers)
+{
+  if (!this->Becomes(format, width, height, layers, 0))
+  {
+    return;
+  }
+  const FormatInfo& info = Info(format);
+  const GLenum target = this->GetTarget();
   glBindTexture(target, this->Id);
   glTexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   glTexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
@@ -93,13 +120,13 @@ bool Texture::CopyFromTarget(int x, int y) const
 void Texture::Bind(int unit) const
 {
   glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-  glBindTexture(this->Target(), this->Id);
+  glBindTexture(this->GetTarget(), this->Id);
 }
 
 void Texture::Unbind(int unit) const
 {
   glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-  glBindTexture(this->Target(), 0);
+  glBindTexture(this->GetTarget(), 0);
 }
 
 void Texture::ReadFloats(int layer, float* values) const
@@ -107,7 +134,7 @@ void Texture::ReadFloats(int layer, float* values) const
   const FormatInfo& info = Info(this->Kind);
   const std::size_t perLayer =
     static_cast<std::size_t>(this->Width) * this->Height * info.Components;
-  glBindTexture(this->Target(), this->Id);
+  glBindTexture(this->GetTarget(), this->Id);
   if (this->Layers == 0)
   {
     glGetTexImage(GL_TEXTURE_2D, 0, info.External, GL_FLOAT, values);
@@ -118,7 +145,7 @@ void Texture::ReadFloats(int layer, float* values) const
     glGetTexImage(GL_TEXTURE_2D_ARRAY, 0, info.External, GL_FLOAT, all.data());
     std::copy_n(all.data() + perLayer * layer, perLayer, values);
   }
-  glBindTexture(this->Target(), 0);
+  glBindTexture(this->GetTarget(), 0);
 }
 
 void Texture::Release()
@@ -137,7 +164,7 @@ int Texture::GetComponents() const
 
 std::size_t Texture::GetMemory() const
 {
-  const std::size_t layers = this->Layers > 0 ? this->Layers : 1;
+  const std::size_t layers = std::max({ 1, this->Layers, this->Samples });
   return this->Id ? layers * this->Width * this->Height * Info(this->Kind).Bytes : 0;
 }
 }

@@ -9,12 +9,13 @@ namespace rtw
 {
 enum class Format
 {
-  Depth,   ///< 32-bit floating-point depth
-  Half2,   ///< two 16-bit floats
-  Float1,  ///< a 32-bit float
-  Float2,  ///< two 32-bit floats
-  Float4,  ///< four 32-bit floats
-  Byte1    ///< a byte, 0 to 1
+  Depth,  ///< 32-bit floating-point depth
+  Half2,  ///< two 16-bit floats
+  Float1, ///< a 32-bit float
+  Float2, ///< two 32-bit floats
+  Float4, ///< four 32-bit floats
+  Byte1,  ///< a byte, 0 to 1
+  Bits1   ///< 16 bits
 };
 
 class Texture
@@ -26,6 +27,9 @@ public:
 
   /// Makes it so large, of that format; nothing happens where it already is. `layers` 0 is no array.
   void Allocate(Format format, int width, int height, int layers = 0);
+  /// Likewise, with so many samples a pixel, fixed in place, to be drawn into and fetched one by
+  /// one.
+  void AllocateSamples(Format format, int width, int height, int samples);
   /// Copies as large a part of what is drawn into, from that pixel on; of the depth, if it is a depth texture.
   /// False where that has several samples a pixel, of which there is no copy.
   bool CopyFromTarget(int x, int y) const;
@@ -41,17 +45,20 @@ public:
   int GetWidth() const { return this->Width; }
   int GetHeight() const { return this->Height; }
   int GetLayers() const { return this->Layers; }
+  int GetSamples() const { return this->Samples; } ///< a pixel; 0 where it is no such texture
+  unsigned int GetTarget() const;
   int GetComponents() const;
   std::size_t GetMemory() const; ///< in bytes
 
 private:
-  unsigned int Target() const;
+  bool Becomes(Format format, int width, int height, int layers, int samples);
 
   unsigned int Id = 0;
   Format Kind = Format::Float1;
   int Width = 0;
   int Height = 0;
   int Layers = 0;
+  int Samples = 0;
 };
 }
 

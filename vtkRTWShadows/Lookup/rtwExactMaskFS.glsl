@@ -3,7 +3,6 @@ layout(std430, binding = 2) readonly buffer States
 {
   uint rtwStates[];
 };
-uniform int rtwSamplesAPixel;
 uniform int rtwHasMap;
 out vec4 mask;
 
@@ -11,18 +10,15 @@ void main()
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   uint state = rtwStates[pixel.y * textureSize(rtwSamples, 0).x + pixel.x];
+  int facing = bitCount(state >> STATE_FACES);
   float visibility = RTW_NOT_LIT;
-  if (state != 0u)
+  if (facing > 0)
   {
-    visibility = 1.0 - float(bitCount(state & (STATE_FACES - 1u))) / float(rtwSamplesAPixel);
+    visibility = 1.0 - float(bitCount(state & STATE_SAMPLES)) / float(facing);
   }
-  if (state != 0u && rtwHasMap != 0)
+  if (facing > 0 && rtwHasMap != 0)
   {
-    SampledPlane plane = rtwLoadPlane(pixel);
-    vec4 here = rtwOnLightPlane(0, plane.here);
-    vec3 dx = rtwOnLightPlane(0, plane.right).xyz - here.xyz;
-    vec3 dy = rtwOnLightPlane(0, plane.above).xyz - here.xyz;
-    float others = rtwVisibility(0, here, dx, dy, plane.here);
+    float others = rtwOthers(rtwLoadPlane(pixel));
     visibility = others == RTW_NOT_LIT ? visibility : min(visibility, others);
   }
   mask = vec4(rtwMaskValue(visibility));

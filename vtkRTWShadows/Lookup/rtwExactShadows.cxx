@@ -3,6 +3,7 @@
 
 #include "rtwDebugColours.h"
 #include "rtwDenseLayers.h"
+#include "rtwExactBitsFS.h"
 #include "rtwExactFailedFS.h"
 #include "rtwExactListsFS.h"
 #include "rtwExactMaskFS.h"
@@ -13,6 +14,7 @@
 #include "rtwMaskStage.h"
 #include "rtwMaskValue.h"
 #include "rtwOpenGL.h"
+#include "rtwOtherCasters.h"
 #include "rtwSampleDepth.h"
 #include "rtwSampleGridAccess.h"
 #include "rtwScreenVS.h"
@@ -36,30 +38,45 @@ bool ExactShadows::Build(const MaskJob& job)
   if (!(one == this->Shape))
   {
     this->Resolving.Release();
+    this->Separating.Release();
     this->Painting.Release();
     this->Shape = one;
   }
-  const std::string definitions = DefinitionsOf(one), lookup = LookupCode(one);
-  return this->Grid.Build(one.Warp, job.Access) && this->Casting.Build(one.Warp, job.Access) &&
-    this->Resolving.Build({ { GL_VERTEX_SHADER, { rtwScreenVS } },
-      { GL_FRAGMENT_SHADER,
-        { WarpTable::DefinitionOf(TableAccess::Texels), definitions.c_str(), rtwWarpFocus,
-          one.Warp.Function, lookup.c_str(), rtwViewSampleAccess, rtwMaskValue, rtwExactState,
-          rtwExactMaskFS } } }) &&
+  return this->Grid.Build(one.Warp, job.Access, job.Samples.GetSamplesAPixel() > 1) &&
+    this->Casting.Build(one.Warp, job.Access) && this->BuildDrawing(job, one) &&
     this->Failing.Build({ { GL_VERTEX_SHADER, { rtwScreenVS } },
       { GL_FRAGMENT_SHADER, { rtwExactQueue, rtwExactFailedFS } } });
+}
+
+bool ExactShadows::BuildDrawing(const MaskJob& job, const ReceiverShape& one)
+{
+  const std::string definitions = DefinitionsOf(one), lookup = LookupCode(one);
+  const char* const stored = WarpTable::DefinitionOf(TableAccess::Texels);
+  const auto build = [&](Program& program, const char* point, const char* main) {
+    return program.Build({ { GL_VERTEX_SHADER, { rtwScreenVS } },
+      { GL_FRAGMENT_SHADER,
+        { stored, definitions.c_str(), rtwWarpFocus, one.Warp.Function, lookup.c_str(),
+          rtwViewSampleAccess, point, rtwMaskValue, rtwExactState, rtwOtherCasters, main } } });
+  };
+  return build(this->Resolving, "", rtwExactMaskFS) &&
+    (job.Samples.GetSamplesAPixel() < 2 ||
+      build(this->Separating, PointCode(true), rtwExactBitsFS));
 }
 
 std::string ExactShadows::GetLog() const
 {
   return this->Grid.GetLog() + this->Casting.GetLog() + this->Resolving.GetLog() +
-    this->Failing.GetLog() + this->Painting.GetLog();
+    this->Separating.GetLog() + this->Failing.GetLog() + this->Painting.GetLog();
 }
 
 bool ExactShadows::Render(const MaskJob& job, MaskStage& masking, StageTimers& timers)
 {
   const int lights = static_cast<int>(job.Frames.size());
   masking.Allocate(job.Samples, lights);
+  if (job.Samples.GetSamplesAPixel() > 1)
+  {
+    masking.AllocateBits(job.Samples, lights);
+  }
   this->Lengths.clear();
   this->Casting.StartFrame(lights);
   for (int light = 0; light < lights; ++light)
@@ -79,29 +96,46 @@ bool ExactShadows::Render(const MaskJob& job, MaskStage& masking, StageTimers& t
         { job.Store, job.Table, frame, job.Viewed, light, job.SceneSize, job.Cull }, this->Grid);
     }
     StageTimers::Scope timer(timers, "mask");
-    if (!masking.BindTarget(light))
+    if (!this->Draw(job, masking, light))
     {
       return false;
     }
-    this->Resolve(job, light);
   }
   this->Casting.FinishFrame();
   return masking.BindTarget(0);
 }
 
-void ExactShadows::Resolve(const MaskJob& job, int light)
+bool ExactShadows::Draw(const MaskJob& job, MaskStage& masking, int light)
 {
-  this->Resolving.Use();
-  this->Grid.BindStates();
-  this->Resolving.Set("rtwSamplesAPixel", this->SamplesAPixel);
-  this->Resolving.Set("rtwHasMap", job.OtherLayers > 0 ? 1 : 0);
-  job.Samples.Bind(this->Resolving);
-  MaskStage::SetLookup(
-    this->Resolving, { job.Lights, 0, job.Layers, job.Table }, light, light + job.OtherLayers);
-  this->Triangle.Draw();
-  MaskStage::UnbindMaps(job.Layers);
+  if (!masking.BindTarget(light))
+  {
+    return false;
+  }
+  this->Resolve(this->Resolving, job, light);
+  if (job.Samples.GetSamplesAPixel() > 1)
+  {
+    if (!masking.BindBits(light))
+    {
+      return false;
+    }
+    this->Resolve(this->Separating, job, light);
+  }
   // The next light's samples take the place of these.
   ShowWhatWasWritten();
+  return true;
+}
+
+void ExactShadows::Resolve(const Program& program, const MaskJob& job, int light)
+{
+  program.Use();
+  this->Grid.BindStates();
+  SetPoints(program, job.Samples.GetOffsets());
+  program.Set("rtwHasMap", job.OtherLayers > 0 ? 1 : 0);
+  job.Samples.Bind(program);
+  MaskStage::SetLookup(
+    program, { job.Lights, 0, job.Layers, job.Table }, light, light + job.OtherLayers);
+  this->Triangle.Draw();
+  MaskStage::UnbindMaps(job.Layers);
 }
 
 bool ExactShadows::PaintLists(const MaskJob& job, int light, double rounding)
@@ -175,6 +209,7 @@ void ExactShadows::Release()
   this->Grid.Release();
   this->Casting.Release();
   this->Resolving.Release();
+  this->Separating.Release();
   this->Failing.Release();
   this->Painting.Release();
   this->Incomplete.Release();
@@ -186,6 +221,7 @@ void ExactShadows::Abandon()
   this->Grid.Abandon();
   this->Casting.Abandon();
   this->Resolving.Abandon();
+  this->Separating.Abandon();
   this->Failing.Abandon();
   this->Painting.Abandon();
   this->Incomplete.Abandon();

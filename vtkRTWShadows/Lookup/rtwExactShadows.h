@@ -39,7 +39,9 @@ public:
   const std::vector<ListLengths>& GetLengths() const { return this->Lengths; }
 
 private:
-  void Resolve(const MaskJob& job, int light);
+  bool BuildDrawing(const MaskJob& job, const ReceiverShape& one);
+  bool Draw(const MaskJob& job, MaskStage& masking, int light);
+  void Resolve(const Program& program, const MaskJob& job, int light);
 
   int SamplesAPixel = 1;
   bool KeepsLengths = false;
@@ -47,7 +49,7 @@ private:
   ReceiverShape Shape;
   SampleGrid Grid;
   ExactCasting Casting;
-  Program Resolving, Failing, Painting;
+  Program Resolving, Separating, Failing, Painting;
   Conditional Incomplete;
   ScreenTriangle Triangle;
 };

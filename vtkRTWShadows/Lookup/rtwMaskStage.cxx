@@ -58,6 +58,28 @@ bool MaskStage::BindTarget(int light)
   return this->Target.BindColour(this->Mask, light);
 }
 
+void MaskStage::AllocateBits(const ViewSampler& samples, int lights)
+{
+  this->Bits.Allocate(Format::Bits1, samples.GetWidth(), samples.GetHeight(), lights);
+}
+
+bool MaskStage::BindBits(int light)
+{
+  return this->BitsTarget.BindColour(this->Bits, light);
+}
+
+void MaskStage::ClearBits()
+{
+  constexpr GLuint none[] = { 0, 0, 0, 0 };
+  for (int light = 0; light < this->Bits.GetLayers(); ++light)
+  {
+    if (this->BindBits(light))
+    {
+      glClearBufferuiv(GL_COLOR, 0, none);
+    }
+  }
+}
+
 void MaskStage::SetLookup(
   const Program& program, const MaskLookup& lookup, int light, int firstLayer)
 {
@@ -134,6 +156,8 @@ void MaskStage::Release()
   this->Gathering.Release();
   this->Gathered.Release();
   this->Mask.Release();
+  this->Bits.Release();
+  this->BitsTarget.Release();
   this->Target.Release();
   this->Triangle.Release();
 }
@@ -144,6 +168,8 @@ void MaskStage::Abandon()
   this->Gathering.Abandon();
   this->Gathered.Abandon();
   this->Mask.Abandon();
+  this->Bits.Abandon();
+  this->BitsTarget.Abandon();
   this->Target.Abandon();
   this->Triangle.Abandon();
 }

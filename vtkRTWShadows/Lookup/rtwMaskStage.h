@@ -40,6 +40,12 @@ public:
   /// For what fills the mask by itself: makes room, makes a layer the target of drawing.
   void Allocate(const ViewSampler& samples, int lights);
   bool BindTarget(int light);
+  /// Likewise for the samples of pixels that have several: a bit for each, from bit 0 on for those
+  /// in shadow, from bit 8 on for those that face the light. Where none faces it the mask counts.
+  void AllocateBits(const ViewSampler& samples, int lights);
+  bool BindBits(int light);
+  void ClearBits();
+  const Texture& GetBits() const { return this->Bits; }
   /// Gives a program with a light's lookup in it what that needs; it begins at that layer.
   static void SetLookup(
     const Program& program, const MaskLookup& lookup, int light, int firstLayer);
@@ -57,8 +63,8 @@ private:
   TableAccess Access = TableAccess::Texels;
   Program Drawing, Gathering;
   Buffer Gathered;
-  Texture Mask;
-  Framebuffer Target;
+  Texture Mask, Bits;
+  Framebuffer Target, BitsTarget;
   ScreenTriangle Triangle;
 };
 }

@@ -13,6 +13,7 @@
 #include "rtwPlaceCaster.h"
 #include "rtwReceiverDirect.h"
 #include "rtwReceiverMasked.h"
+#include "rtwReceiverSampled.h"
 #include "rtwWarpFocus.h"
 
 #include "vtkShaderProgram.h"
@@ -189,6 +190,12 @@ void MarkPlaces(std::string& fragment)
     std::string("//VTK::TCoord::Impl\n") + EndMark + "\n", false);
 }
 
+void RequireSamples(std::string& fragment)
+{
+  vtkShaderProgram::Substitute(fragment, "//VTK::System::Dec",
+    "//VTK::System::Dec\n#extension GL_ARB_gpu_shader5 : enable\n", false);
+}
+
 std::string DefinitionsOf(const ReceiverShape& shape)
 {
   return "#define RTW_LIGHTS " + std::to_string(shape.Switched.size()) + "\n#define RTW_FILTER " +
@@ -223,8 +230,10 @@ void InjectReceiver(
   }
   if (lit)
   {
+    const bool sampled = receiving == Receiving::Sampled;
     code += direct ? LookupCode(shape) + rtwReceiverDirect
-                   : std::string(rtwMaskValue) + rtwReceiverMasked;
+                   : std::string(rtwMaskValue) + (sampled ? rtwReceiverSampled : rtwReceiverMasked);
+    atLight += sampled ? "  rtwShown = rtwFindShown(vertexVC.xyz);\n" : "";
     atLight += FactorCode(shape);
     for (std::size_t k = 0; k < shape.Switched.size(); ++k)
     {
@@ -286,6 +295,17 @@ void ReceiverUniforms::Set(vtkShaderProgram* program) const
     const int origin[] = { this->OriginX, this->OriginY };
     program->SetUniformi("rtwMask", this->MaskUnit);
     program->SetUniform2i("rtwMaskOrigin", origin);
+  }
+  if (program->IsUniformUsed("rtwSampleBits"))
+  {
+    const int n = static_cast<int>(this->Points.size());
+    program->SetUniformi("rtwSampleBits", this->BitsUnit);
+    program->SetUniformi("rtwManySamples", this->ManyUnit);
+    program->SetUniformi("rtwSamplesAPixel", n);
+    program->SetUniform2fv(
+      "rtwOffsets", n, reinterpret_cast<const float(*)[2]>(this->Points.data()));
+    program->SetUniform2f("rtwParallelView", &this->ParallelView.x);
+    program->SetUniformf("rtwHiddenBeyond", this->HiddenBeyond);
   }
   if (program->IsUniformUsed("rtwWarpTable"))
   {

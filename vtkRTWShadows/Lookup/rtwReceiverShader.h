@@ -25,8 +25,9 @@ enum class Phase
 /// How a receiver learns of its shadow.
 enum class Receiving
 {
-  Masked, ///< from the mask
-  Direct  ///< from the maps
+  Masked,  ///< from the mask
+  Sampled, ///< from the bits of a pixel's samples
+  Direct   ///< from the maps
 };
 
 /// What the code's shape depends on; everything else is a uniform.
@@ -58,6 +59,8 @@ struct ReceiverSources
 
 /// Before VTK puts its own code in: marks the places that are gone afterwards.
 void MarkPlaces(std::string& fragment);
+/// What Receiving::Sampled needs of the language, before VTK says which version of it that is.
+void RequireSamples(std::string& fragment);
 /// After it: fills them. `drawsItself` where the mapper has a part in the light pass and the view samples too.
 void InjectReceiver(ReceiverSources sources, const ReceiverShape& shape, Receiving receiving,
   bool drawsItself);
@@ -90,6 +93,10 @@ struct ReceiverUniforms
   int OtherLayers = 0;
   bool LightParallel = false;
   int WarpUnit = 0, DepthUnit = 0, GradientUnit = 0, MaskUnit = 0, GridUnit = 0;
+  int BitsUnit = 0, ManyUnit = 0;
+  std::vector<glm::vec2> Points; ///< samples of a pixel, from its centre; none where one is enough
+  glm::vec2 ParallelView{ 0 };
+  float HiddenBeyond = 0;
   int GridLayers = 0;
   int Cells = 1, Resolution = 1;
   int OriginX = 0, OriginY = 0; ///< of the viewport

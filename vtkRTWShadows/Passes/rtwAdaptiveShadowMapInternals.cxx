@@ -48,6 +48,7 @@ std::uint64_t vtkAdaptiveShadowMapPass::Internals::Sign(
   signature = rtw::Mix(signature, std::uint64_t(partitionTime));
   signature = rtw::Mix(signature, std::uint64_t(o.Resolution));
   signature = rtw::Mix(signature, std::uint64_t(o.ViewSampleStride));
+  signature = rtw::Mix(signature, std::uint64_t(o.SamplesAPixel));
   signature = rtw::Mix(signature, std::uint64_t(o.Shape.Filter));
   signature = rtw::Mix(rtw::Mix(signature, std::uint64_t(o.Shape.DepthTest)), o.Lookup.Bias);
   signature = rtw::Mix(rtw::Mix(signature, o.Lookup.FilterTexels), o.Lookup.FilterWorld);
@@ -65,7 +66,9 @@ vtkAdaptiveShadowMapPass::Internals::Attachment::Attachment(Internals& internals
   , Props(std::move(props))
 {
   vtkTextureUnitManager* manager = this->My.Window->GetTextureUnitManager();
-  this->Needed = this->My.Pipeline.GetShape().Kind == rtw::WarpKind::Grid ? 5 : 4;
+  const bool hasGrid = this->My.Pipeline.GetShape().Kind == rtw::WarpKind::Grid;
+  const bool hasSamples = this->My.Options.SamplesAPixel > 1;
+  this->Needed = std::size_t(4) + (hasGrid ? 1 : 0) + (hasSamples ? 2 : 0);
   while (this->Units.size() < this->Needed)
   {
     const int unit = manager->Allocate();
@@ -87,6 +90,8 @@ vtkAdaptiveShadowMapPass::Internals::Attachment::Attachment(Internals& internals
   uniforms.GradientUnit = this->Units[2];
   uniforms.MaskUnit = this->Units[3];
   uniforms.GridUnit = this->Units.back();
+  uniforms.BitsUnit = this->Units[hasSamples ? 4 : 3];
+  uniforms.ManyUnit = this->Units[hasSamples ? 5 : 3];
   this->My.Pipeline.BindTextures(uniforms, phase == rtw::Phase::Picture);
   this->My.Window->GetState()->ResetGLActiveTexture();
   for (vtkProp* prop : this->Props)

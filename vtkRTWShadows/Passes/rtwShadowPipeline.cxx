@@ -227,6 +227,7 @@ bool ShadowPipeline::Update(const View& view, const FrameScene& scene,
   const MapperDrawing& mappers)
 {
   this->Viewed = view;
+  this->SamplesAPixel = options.SamplesAPixel;
   this->Counted.Lights = static_cast<int>(lights.size());
   this->Counted.LayersDrawn = this->Counted.LayersReused = 0;
   if (!view.IsUsable() || lights.empty() || scene.IsEmpty() || !scene.HasBounds)
@@ -262,49 +263,6 @@ bool ShadowPipeline::Update(const View& view, const FrameScene& scene,
   this->Draw(scene, lights, options, mappers, still);
   this->Counted.LayersDrawn = this->CountLayers();
   return true;
-}
-
-ReceiverUniforms ShadowPipeline::MakeUniforms(const PipelineOptions& options) const
-{
-  ReceiverUniforms uniforms;
-  uniforms.Cells = this->Table.GetCells();
-  uniforms.Resolution = this->Table.GetResolution();
-  uniforms.GridLayers = this->Table.GetGridLayers();
-  uniforms.OtherLayers = this->OtherLayers;
-  uniforms.OriginX = this->Viewed.OriginX;
-  uniforms.OriginY = this->Viewed.OriginY;
-  uniforms.RayStep = glm::vec3(ViewSampler::RayStep(this->Viewed));
-  uniforms.DepthToSample = glm::vec2(ViewSampler::DepthToSample(this->Viewed));
-  uniforms.Lights =
-    ReceiverLights::Make(this->Frames, this->Viewed, options.Lookup, this->SceneSize);
-  return uniforms;
-}
-
-void ShadowPipeline::BindTextures(const ReceiverUniforms& units, bool maps) const
-{
-  this->Table.GetValues().Bind(units.WarpUnit);
-  if (units.GridLayers > 0)
-  {
-    this->Table.GetGrid().Bind(units.GridUnit);
-  }
-  if (maps)
-  {
-    this->Layers.GetDepths().Bind(units.DepthUnit);
-    this->Layers.GetGradients().Bind(units.GradientUnit);
-    this->Masking.GetMask().Bind(units.MaskUnit);
-  }
-}
-
-void ShadowPipeline::UnbindTextures(const ReceiverUniforms& units) const
-{
-  this->Table.GetValues().Unbind(units.WarpUnit);
-  if (units.GridLayers > 0)
-  {
-    this->Table.GetGrid().Unbind(units.GridUnit);
-  }
-  this->Layers.GetDepths().Unbind(units.DepthUnit);
-  this->Layers.GetGradients().Unbind(units.GradientUnit);
-  this->Masking.GetMask().Unbind(units.MaskUnit);
 }
 
 int ShadowPipeline::ClampResolution(unsigned int resolution, std::size_t layers) const

@@ -53,6 +53,7 @@ struct PipelineOptions
   CasterOptions Casters;
   LookupOptions Lookup;
   ReceiverShape Shape;
+  int SamplesAPixel = 1;       ///< that view samples have, and the mask knows
   bool Masked = true;          ///< whether the picture takes its shadows from the mask
   std::uint64_t Signature = 0; ///< of all settings, the warp's among them
 };
@@ -95,6 +96,10 @@ public:
   /// Brings all layers up to date. False where there is nothing to be shadowed.
   bool Update(const View& view, const FrameScene& scene, const std::vector<ShadowLight>& lights,
     const PipelineOptions& options, const MapperDrawing& mappers);
+
+  /// How many samples each pixel of the target that is bound has, where a mask source can tell them
+  /// apart; 1 also where there is one; 0 where the mask can't know them.
+  int CountMaskSamples() const;
 
   /// Keeps the depth of what has been drawn, for the next frame's view samples.
   void CaptureFrame(const PipelineOptions& options);
@@ -204,6 +209,7 @@ private:
   bool NeedsViewSamples(const PipelineOptions& options) const;
   bool ResampleLastFrame(const PipelineOptions& options);
   /// Of the samples in use: resampling leaves out the others.
+  static constexpr double DepthRounding = 2e-6; // of the scene's size
   // At most of the samples that the focus looks at: one that misses nothing between sparse samples is
   // much too wide in deep views.
   static constexpr int FocusStride = 2;
@@ -249,6 +255,7 @@ private:
   ErrorPrediction Prediction;
   int OtherLayers = 0; ///< unwarped, behind the lights' own: of casters that mappers draw, whose
                        ///< edges can't be warped
+  int SamplesAPixel = 1;
   bool HasSamples = false; ///< of the last frame
   bool HasMask = false;
   View Masked; ///< what the mask is of

@@ -181,21 +181,24 @@ void ShadowPipeline::DrawLayers(StateGuard& guard, const FrameScene& scene,
 
 void ShadowPipeline::PrimeDepth(const FrameScene& scene, const PipelineOptions& options)
 {
-  if (this->HasSamples && options.Masked && scene.SamplesAreComplete)
+  const bool knowsDepth = this->HasSamples && this->Sampler.GetSamplesAPixel() == 1;
+  if (knowsDepth && options.Masked && scene.SamplesAreComplete)
   {
     StateGuard guard(this->Window);
-    this->Sampler.PrimeDepth(2e-6 * this->SceneSize);
+    this->Sampler.PrimeDepth(DepthRounding * this->SceneSize);
   }
 }
 
 void ShadowPipeline::DrawViewSamples(StateGuard& guard, const std::function<void()>& mapperSamples)
 {
   StageTimers::Scope timer(this->Timers, "view samples");
-  this->HasSamples = this->Sampler.Render(this->Viewed, this->Store, this->OwnDrawing);
+  this->HasSamples =
+    this->Sampler.Render(this->Viewed, this->Store, this->OwnDrawing, this->SamplesAPixel);
   if (mapperSamples && this->Sampler.BindTarget())
   {
     guard.DrawWithVTK(mapperSamples);
   }
+  this->Sampler.Finish();
 }
 
 void ShadowPipeline::DrawMask(const PipelineOptions& options)

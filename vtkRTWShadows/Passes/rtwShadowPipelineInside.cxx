@@ -33,7 +33,8 @@ bool ShadowPipeline::PaintDebugView(DebugView view, int light, const PipelineOpt
   {
     return false;
   }
-  this->Debugging.Paint(view, this->MapOf(light), this->Masking.GetMask(), 2e-6 * this->SceneSize);
+  this->Debugging.Paint(
+    view, this->MapOf(light), this->Masking.GetMask(), DepthRounding * this->SceneSize);
   return true;
 }
 
@@ -43,7 +44,8 @@ bool ShadowPipeline::PaintLists(int light, const PipelineOptions& options)
   const ReceiverLights lights =
     ReceiverLights::Make(this->Frames, this->Viewed, options.Lookup, this->SceneSize);
   return this->UsesSource(options) &&
-    this->Source->PaintLists(this->MakeJob(lights, options), light, 2e-6 * this->SceneSize);
+    this->Source->PaintLists(
+      this->MakeJob(lights, options), light, DepthRounding * this->SceneSize);
 }
 
 bool ShadowPipeline::MeasureAliasing(

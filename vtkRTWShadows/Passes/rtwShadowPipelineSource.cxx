@@ -2,13 +2,26 @@
 // How a frame's mask comes from elsewhere than the maps.
 #include "rtwShadowPipeline.h"
 
+#include "rtwOpenGL.h"
+#include "rtwSampleGrid.h"
 #include "rtwStateGuard.h"
+
+#include <algorithm>
 
 namespace rtw
 {
 bool ShadowPipeline::UsesSource(const PipelineOptions& options) const
 {
   return this->Source && this->OwnDrawing && options.Masked && this->HasSamples;
+}
+
+int ShadowPipeline::CountMaskSamples() const
+{
+  GLint samples = 0;
+  glGetIntegerv(GL_SAMPLES, &samples);
+  const int most = std::min(this->Can.MaximumSamples, SampleGrid::MostSamplesAPixel);
+  const bool can = this->Source && this->OwnDrawing && this->SourceProblem.empty();
+  return can && samples <= most ? std::max(samples, 1) : 0;
 }
 
 MaskJob ShadowPipeline::MakeJob(const ReceiverLights& lights, const PipelineOptions& options) const
@@ -38,6 +51,7 @@ bool ShadowPipeline::DrawMaskBySource(StateGuard& guard, const FrameScene& scene
         this->DrawLayers(guard, scene, options, mappers, true);
       }
       this->DrawMask(options);
+      this->Masking.ClearBits();
       this->MaskedBySource = true;
     });
   }

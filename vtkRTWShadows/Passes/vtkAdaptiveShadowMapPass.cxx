@@ -171,8 +171,10 @@ void vtkAdaptiveShadowMapPass::Bake(const vtkRenderState* s)
     this->MaximumEdgeLength };
   my.Options.Lookup = this->MakeLookupOptions();
   // Samples of a pixel see other surfaces than its centre; without own programs a mask would cost a pass through VTK's mappers.
-  my.Options.Masked = my.Pipeline.HasOwnDrawing() && window->GetMultiSamples() <= 1 &&
-    !my.Options.PreviousFrame;
+  const int samples = window->GetMultiSamples() <= 1 ? 1 : my.Pipeline.CountMaskSamples();
+  my.Options.Masked = my.Pipeline.HasOwnDrawing() && samples > 0 && !my.Options.PreviousFrame;
+  const int samplesBefore = my.Options.SamplesAPixel;
+  my.Options.SamplesAPixel = my.Options.Masked ? samples : 1;
   rtw::ReceiverShape shape{ my.Pipeline.GetShape(), {}, this->Filter, this->DepthTest,
     my.Pipeline.CountOtherLayers(my.Scene, lights * parts) > 0, parts,
     my.Pipeline.CountFaces(parts) };
@@ -182,8 +184,8 @@ void vtkAdaptiveShadowMapPass::Bake(const vtkRenderState* s)
   }
   std::set<vtkProp*> drawn = rtw::ActorsOf(my.Scene.Props);
   std::set<vtkProp*> translucent = rtw::TranslucentActorsOf(my.Scene.Shaded);
-  if (!(shape == my.Options.Shape) || drawn != my.DrawnByMappers ||
-    translucent != my.Translucent || my.WasMasked != my.Options.Masked)
+  if (!(shape == my.Options.Shape) || drawn != my.DrawnByMappers || translucent != my.Translucent ||
+    my.WasMasked != my.Options.Masked || (samplesBefore > 1) != (my.Options.SamplesAPixel > 1))
   {
     my.Options.Shape = shape;
     my.WasMasked = my.Options.Masked;
@@ -283,6 +285,10 @@ bool vtkAdaptiveShadowMapPass::PreReplaceShaderValues(
   {
     ++this->NumberOfShaderBuilds;
     rtw::MarkPlaces(fragmentShader);
+    if (this->Shadows->Options.SamplesAPixel > 1)
+    {
+      rtw::RequireSamples(fragmentShader);
+    }
   }
   return true;
 }
@@ -293,10 +299,13 @@ bool vtkAdaptiveShadowMapPass::PostReplaceShaderValues(std::string& vertexShader
   if (vtkPolyDataMapper::SafeDownCast(mapper))
   {
     const Internals& my = *this->Shadows;
-    const bool direct = !my.Options.Masked || my.Translucent.count(prop) > 0;
+    rtw::Receiving receiving = rtw::Receiving::Direct;
+    if (my.Options.Masked && my.Translucent.count(prop) == 0)
+    {
+      receiving = my.Options.SamplesAPixel > 1 ? rtw::Receiving::Sampled : rtw::Receiving::Masked;
+    }
     rtw::InjectReceiver({ vertexShader, geometryShader, fragmentShader }, my.Options.Shape,
-      direct ? rtw::Receiving::Direct : rtw::Receiving::Masked,
-      my.DrawnByMappers.count(prop) > 0);
+      receiving, my.DrawnByMappers.count(prop) > 0);
   }
   return true;
 }

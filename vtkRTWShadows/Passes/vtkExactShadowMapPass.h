@@ -12,12 +12,14 @@
  * grid's, but for no more than a texel for each four pixels: it decides how fast the shadows are,
  * never what they are.
  *
- * Exact are the shadows that meshes cast on opaque receivers. Translucent receivers, which have no
- * view samples, and windows with several samples a pixel look up maps with the same warp, and so do
- * receivers with view samples of the previous frame. What only VTK's own mappers can draw (glyphs,
- * imposters, cut-outs, clipped meshes) casts by a map, too, on receivers whose other shadows are
- * exact. Lines and points cast no shadow. Below OpenGL 4.3 all shadows are those of a conventional
- * map. Filter, FilterRadius, DepthTest and Rasterization concern maps only.
+ * Exact are the shadows that meshes cast on opaque receivers. In windows with 2 to 8 samples a
+ * pixel each sample is tested, on the surface that it shows, and each surface takes the shadows of
+ * its samples. Translucent receivers, which have no view samples, and windows with more samples
+ * look up maps with the same warp, and so do receivers with view samples of the previous frame.
+ * What only VTK's own mappers can draw (glyphs, imposters, cut-outs, clipped meshes) casts by a
+ * map, too, on receivers whose other shadows are exact. Lines and points cast no shadow. Below
+ * OpenGL 4.3 all shadows are those of a conventional map. Filter, FilterRadius, DepthTest and
+ * Rasterization concern maps only.
  *
  * @sa vtkAdaptiveShadowMapPass vtkRectilinearShadowMapWarp vtkNonOrthogonalShadowMapWarp
  */
@@ -44,7 +46,8 @@ public:
   /**
    * How many points of a pixel are tested: 1, 4 or 8, where rasterizers have them, on the surface
    * that the pixel shows; anything else is refused with an error. With more than one the edges of
-   * shadows are antialiased: the mask is the share of points in the light. Default: 1.
+   * shadows are antialiased: the mask is the share of points in the light. A window with several
+   * samples a pixel has its own tested instead (vtkRenderWindow::SetMultiSamples()). Default: 1.
    */
   virtual void SetSamplesPerPixel(int samples);
   vtkGetMacro(SamplesPerPixel, int);

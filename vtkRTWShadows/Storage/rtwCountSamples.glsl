@@ -31,13 +31,30 @@ vec4 rtwOnPlane(vec3 p)
   return vec4(h.xyz / h.w, h.w);
 }
 
-// On the tangent plane of the pixel's surface.
-vec3 rtwPositionOf(ivec2 pixel, vec2 offset)
+// True where it faces the light, and is found.
+bool rtwPlace(ivec2 pixel, int point, uint place)
 {
-  vec4 s = texelFetch(rtwSamples, pixel, 0);
-  float a = s.x + dot(s.yz, offset);
-  a = rtwParallelView.x != 0.0 ? a : max(a, 0.01 * s.x);
-  return rtwViewPosition((vec2(pixel) + 0.5 + offset) * 2.0 / vec2(textureSize(rtwSamples, 0)) - 1.0, a);
+  SampledPlane plane = rtwPlaneAt(rtwSampleOf(pixel, point), pixel, rtwOffsets[point]);
+  vec4 here = rtwOnPlane(plane.here);
+  vec3 dx = rtwOnPlane(plane.right).xyz - here.xyz;
+  vec3 dy = rtwOnPlane(plane.above).xyz - here.xyz;
+  float area = dx.x * dy.y - dx.y * dy.x;
+  // As in the lookup: a surface that faces both viewer and light is seen the other way round from the light plane's back.
+  bool faces = plane.seen && area < 0.0 && here.w > 0.0 && (rtwCone.z == 0.0 || distance(here.xy, rtwCone.xy) <= rtwCone.z);
+  if (!faces)
+  {
+    rtwPlaces[place] = uvec2(NOWHERE);
+    return false;
+  }
+  vec2 gradient = vec2(dx.z * dy.y - dy.z * dx.y, dx.x * dy.z - dy.x * dx.z) / area;
+  float across = (rtwTolerance.y + rtwTolerance.z * length(plane.here)) / here.w;
+  across *= rtwCone.z == 0.0 ? 1.0 : 1.0 + distance(here.xy, rtwCone.xy);
+  float depth = here.z - rtwTolerance.x / (here.w * here.w) - across * (abs(gradient.x) + abs(gradient.y));
+  vec2 onMap = rtwWarp(rtwLayer, rtwFocused(rtwFocus(rtwLayer), here.xy));
+  uint texel = rtwTexelAt(onMap);
+  rtwFound[place] = vec4(here.xy, depth, rtwPackNormal(normalize(vec3(-gradient * here.w, 1.0))));
+  rtwPlaces[place] = uvec2(texel, atomicAdd(rtwNodes[texel].count, 1u));
+  return true;
 }
 
 void main()
@@ -48,32 +65,12 @@ void main()
   {
     return;
   }
-  int sub = int(gl_GlobalInvocationID.z);
-  uint place = uint((pixel.y * size.x + pixel.x) * rtwSamplesAPixel + sub);
-  SampledPlane plane = rtwLoadPlane(pixel);
-  vec4 here = rtwOnPlane(plane.here);
-  vec3 dx = rtwOnPlane(plane.right).xyz - here.xyz;
-  vec3 dy = rtwOnPlane(plane.above).xyz - here.xyz;
-  float area = dx.x * dy.y - dx.y * dy.x;
-  // As in the lookup: a surface that faces both viewer and light is seen the other way round from the light plane's back.
-  bool faces = plane.seen && area < 0.0 && here.w > 0.0 && (rtwCone.z == 0.0 || distance(here.xy, rtwCone.xy) <= rtwCone.z);
-  vec2 gradient = vec2(dx.z * dy.y - dy.z * dx.y, dx.x * dy.z - dy.x * dx.z) / area;
-  if (sub == 0)
+  uint at = uint(pixel.y * size.x + pixel.x);
+  uint state = 0u;
+  for (int point = 0; point < rtwSamplesAPixel; ++point)
   {
-    rtwStates[pixel.y * size.x + pixel.x] = faces ? STATE_FACES : 0u;
+    bool faces = rtwPlace(pixel, point, at * uint(rtwSamplesAPixel) + uint(point));
+    state |= faces ? 1u << (STATE_FACES + uint(point)) : 0u;
   }
-  if (!faces)
-  {
-    rtwPlaces[place] = uvec2(NOWHERE);
-    return;
-  }
-  vec3 position = rtwPositionOf(pixel, rtwOffsets[sub]);
-  vec4 l = rtwSamplesAPixel == 1 ? here : rtwOnPlane(position);
-  float across = (rtwTolerance.y + rtwTolerance.z * length(position)) / l.w;
-  across *= rtwCone.z == 0.0 ? 1.0 : 1.0 + distance(l.xy, rtwCone.xy);
-  float depth = l.z - rtwTolerance.x / (l.w * l.w) - across * (abs(gradient.x) + abs(gradient.y));
-  vec2 onMap = rtwWarp(rtwLayer, rtwFocused(rtwFocus(rtwLayer), l.xy));
-  uint texel = rtwTexelAt(onMap);
-  rtwFound[place] = vec4(l.xy, depth, rtwPackNormal(normalize(vec3(-gradient * l.w, 1.0))));
-  rtwPlaces[place] = uvec2(texel, atomicAdd(rtwNodes[texel].count, 1u));
+  rtwStates[at] = state;
 }

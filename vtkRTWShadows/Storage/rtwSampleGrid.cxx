@@ -8,8 +8,10 @@
 #include "rtwItemOfDispatch.h"
 #include "rtwListSamples.h"
 #include "rtwOpenGL.h"
+#include "rtwPointOfPixel.h"
 #include "rtwSampleGridAccess.h"
 #include "rtwSampleNormal.h"
+#include "rtwSampleOfPixel.h"
 #include "rtwSumGrid.h"
 #include "rtwViewSampleAccess.h"
 #include "rtwViewSampler.h"
@@ -46,16 +48,33 @@ void DispatchItems(std::size_t items)
   const int groups = Groups(static_cast<int>(items), 64);
   Dispatch(std::min(groups, GroupsInRow), Groups(groups, GroupsInRow));
 }
-
-void SetOffsets(const Program& program, int samples)
-{
-  float offsets[2 * SampleGrid::MostSamplesAPixel] = {};
-  for (int i = 0; i < 2 * samples && samples > 1; ++i)
-  {
-    offsets[i] = (samples == 4 ? Four[i] : Eight[i]) / 16;
-  }
-  glUniform2fv(program.Location("rtwOffsets"), SampleGrid::MostSamplesAPixel, offsets);
 }
+
+std::vector<glm::vec2> PointsOfPixel(const ViewSampler& samples, int points)
+{
+  if (samples.GetSamplesAPixel() > 1 || points == 1)
+  {
+    return samples.GetOffsets();
+  }
+  std::vector<glm::vec2> offsets;
+  for (int i = 0; i < points; ++i)
+  {
+    const float* const sixteenths = (points == 4 ? Four : Eight) + 2 * i;
+    offsets.push_back(glm::vec2(sixteenths[0], sixteenths[1]) / 16.f);
+  }
+  return offsets;
+}
+
+void SetPoints(const Program& program, const std::vector<glm::vec2>& points)
+{
+  program.Set("rtwSamplesAPixel", static_cast<int>(points.size()));
+  glUniform2fv(
+    program.Location("rtwOffsets"), static_cast<GLsizei>(points.size()), &points.front().x);
+}
+
+const char* PointCode(bool many)
+{
+  return many ? rtwSampleOfPixel : rtwPointOfPixel;
 }
 
 glm::dmat4 WorldToExactPlane(const LightFrame& frame, const glm::dvec3& eye)
@@ -67,17 +86,19 @@ glm::dmat4 WorldToExactPlane(const LightFrame& frame, const glm::dvec3& eye)
   return glm::row(frame.WorldToLight, 2, depth);
 }
 
-bool SampleGrid::Build(const WarpShape& warp, TableAccess access)
+bool SampleGrid::Build(const WarpShape& warp, TableAccess access, bool many)
 {
-  if (this->Warp != warp.Name || this->Access != access)
+  if (this->Warp != warp.Name || this->Access != access || this->Many != many)
   {
     this->Counting.Release();
+    this->Many = many;
     this->Warp = warp.Name;
     this->Access = access;
   }
   return this->Counting.Build({ { GL_COMPUTE_SHADER,
            { WarpTable::DefinitionOf(access), rtwWarpFocus, warp.Function, rtwViewSampleAccess,
-             rtwSampleGridAccess, rtwExactState, rtwSampleNormal, rtwCountSamples } } }) &&
+             PointCode(many), rtwSampleGridAccess, rtwExactState, rtwSampleNormal,
+             rtwCountSamples } } }) &&
     this->Summing.Build(
       { { GL_COMPUTE_SHADER, { rtwSampleGridAccess, rtwItemOfDispatch, rtwSumGrid } } }) &&
     this->Listing.Build({ { GL_COMPUTE_SHADER,
@@ -95,7 +116,8 @@ std::string SampleGrid::GetLog() const
 void SampleGrid::Allocate(const GridInput& input)
 {
   const std::size_t pixels = std::size_t(input.Samples.GetWidth()) * input.Samples.GetHeight();
-  const std::size_t samples = pixels * input.SamplesAPixel;
+  this->Points = PointsOfPixel(input.Samples, input.SamplesAPixel);
+  const std::size_t samples = pixels * this->Points.size();
   // More texels than that take more time than they save.
   const int most =
     std::min(1 << FinestTopLevel, int(std::ceil(std::sqrt(double(samples) / LeastSamples))));
@@ -147,13 +169,11 @@ void SampleGrid::Count(const GridInput& input)
     float(frame.ConeCentre.y), float(frame.ConeTangent), 0.f);
   this->Counting.Set("rtwTolerance", float(AlongLight * input.SceneSize),
     float(AcrossLight * input.SceneSize), float(AcrossLightOfDistance));
-  this->Counting.Set("rtwSamplesAPixel", input.SamplesAPixel);
-  SetOffsets(this->Counting, input.SamplesAPixel);
-  Dispatch(
-    Groups(input.Samples.GetWidth(), 8), Groups(input.Samples.GetHeight(), 8), input.SamplesAPixel);
+  SetPoints(this->Counting, this->Points);
+  Dispatch(Groups(input.Samples.GetWidth(), 8), Groups(input.Samples.GetHeight(), 8));
 }
 
-void SampleGrid::List(const GridInput& input)
+void SampleGrid::List()
 {
   this->Summing.Use();
   this->Bind(this->Summing);
@@ -175,7 +195,7 @@ void SampleGrid::List(const GridInput& input)
   this->Places.BindStorage(1);
   this->BindList(4, 5);
   this->Listing.Set("rtwNumberOfSamples", this->NumberOfSamples);
-  this->Listing.Set("rtwSamplesAPixel", input.SamplesAPixel);
+  this->Listing.Set("rtwSamplesAPixel", static_cast<int>(this->Points.size()));
   DispatchItems(this->NumberOfSamples);
 }
 
@@ -195,7 +215,7 @@ void SampleGrid::Fill(const GridInput& input)
 {
   this->Allocate(input);
   this->Count(input);
-  this->List(input);
+  this->List();
   this->Bound();
 }
 

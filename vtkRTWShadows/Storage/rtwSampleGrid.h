@@ -38,8 +38,16 @@ struct GridInput
   const LightFrame& Frame;
   int Layer;
   double SceneSize;
-  int SamplesAPixel;
+  int SamplesAPixel; ///< where the view samples themselves don't know several
 };
+
+/// How many points of each pixel are tested, and their places from its centre, in pixels, as the
+/// view samples have them or else as rasterizers do.
+std::vector<glm::vec2> PointsOfPixel(const ViewSampler& samples, int points);
+/// Gives them to a program.
+void SetPoints(const Program& program, const std::vector<glm::vec2>& points);
+/// GLSL that finds the view sample of one of them.
+const char* PointCode(bool many);
 
 class SampleGrid
 {
@@ -50,7 +58,8 @@ public:
   static constexpr int FinestTopLevel = 12; // 4096 texels a side
 
   /// Compiles for that warp; false, with the reason in GetLog(), where the driver can't.
-  bool Build(const WarpShape& warp, TableAccess access);
+  /// `many` where view samples have several samples a pixel.
+  bool Build(const WarpShape& warp, TableAccess access, bool many);
   std::string GetLog() const;
   /// Lists the samples that face the light.
   void Fill(const GridInput& input);
@@ -75,7 +84,7 @@ private:
   std::array<const Buffer*, 6> Buffers() const;
   void Allocate(const GridInput& input);
   void Count(const GridInput& input);
-  void List(const GridInput& input);
+  void List();
   std::size_t NodesOfLevel(int level) const
   {
     return std::size_t(1) << (2 * (this->TopLevel - level));
@@ -83,9 +92,11 @@ private:
 
   std::string Warp;
   TableAccess Access = TableAccess::Storage;
+  bool Many = false;
   int Side = 1; ///< texels
   int TopLevel = 0;
   int NumberOfSamples = 0; ///< of all pixels
+  std::vector<glm::vec2> Points;
   Program Counting, Summing, Listing, Bounding;
   Buffer Found, Places, States, Nodes, Listed, Owners;
 };

@@ -1,0 +1,49 @@
+// A receiver whose pixel has several samples, each with a shadow of its own: it takes those that show it. The mask stands in where the
+// samples are unknown.
+uniform sampler2DArray rtwMask;
+uniform usampler2DArray rtwSampleBits; // in shadow, and from bit 8 on facing the light
+uniform sampler2DMS rtwManySamples;
+uniform ivec2 rtwMaskOrigin; // of the viewport
+uniform int rtwSamplesAPixel;
+uniform vec2 rtwOffsets[8];     // from the centre, in pixels
+uniform vec2 rtwParallelView;   // as the view samples have it
+uniform float rtwHiddenBeyond;  // a distance
+uniform float rtwAttenuation[RTW_LIGHTS];
+
+const float HIDDEN_SHARE = 1e-3; // of the distance; in a parallel view a depth
+
+uint rtwShown = 0u; // the samples that show the fragment's surface
+
+// The covered ones, but for those where another surface is in front. To be called by all fragments.
+uint rtwFindShown(vec3 p)
+{
+  bool parallel = rtwParallelView.x != 0.0;
+  float a = parallel ? (-p.z - rtwParallelView.y) / rtwParallelView.x : -1.0 / p.z;
+  vec2 slope = vec2(dFdx(a), dFdy(a));
+  ivec2 pixel = ivec2(gl_FragCoord.xy) - rtwMaskOrigin;
+  uint shown = 0u;
+  for (int i = 0; i < rtwSamplesAPixel; ++i)
+  {
+    vec4 s = texelFetch(rtwManySamples, pixel, i);
+    float there = s.x + dot(s.yz, rtwOffsets[i]);
+    float here = a + dot(slope, rtwOffsets[i]);
+    bool hidden = parallel ? here > there + HIDDEN_SHARE : there > here * (1.0 + HIDDEN_SHARE) + rtwHiddenBeyond * here * there;
+    shown |= hidden ? 0u : 1u << uint(i);
+  }
+  return shown & uint(gl_SampleMaskIn[0]);
+}
+
+// What a light's colour is to be multiplied by.
+float rtwFactor(int light, vec3 p)
+{
+  ivec3 pixel = ivec3(ivec2(gl_FragCoord.xy) - rtwMaskOrigin, light);
+  uint bits = texelFetch(rtwSampleBits, pixel, 0).r;
+  uint facing = bits >> 8u;
+  float visibility = rtwMaskedVisibility(texelFetch(rtwMask, pixel, 0).r);
+  if (facing != 0u)
+  {
+    facing &= rtwShown;
+    visibility = 1.0 - float(bitCount(bits & facing)) / float(max(bitCount(facing), 1));
+  }
+  return rtwReceives == 0 ? 1.0 : mix(1.0, visibility, rtwAttenuation[light]);
+}
