@@ -2,8 +2,8 @@
 // Exact shadows of random scenes beside exact rays: solids that stand on each other or go through
 // each other, slivers, stacks of plates that all but touch, seen from anywhere, by any light. 24
 // scenes; 200 with the argument `all`.
-#include "rtwOtherSurfaces.h"
 #include "rtwShadowStage.h"
+#include "rtwWrongPixels.h"
 
 #include "vtkCamera.h"
 #include "vtkCellArray.h"

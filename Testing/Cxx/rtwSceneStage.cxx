@@ -20,10 +20,11 @@ rtwSceneStage::rtwSceneStage(const rtw::Scene& scene, bool sharp)
   this->Window->SetMultiSamples(0);
   this->Window->AddRenderer(this->Renderer);
   rtw::AddToRenderer(scene, this->Renderer);
-  auto* light = vtkLight::SafeDownCast(this->Renderer->GetLights()->GetItemAsObject(0));
+  this->Light = vtkLight::SafeDownCast(this->Renderer->GetLights()->GetItemAsObject(0));
   rtw::ReferenceOptions options;
   options.Sharp = sharp;
-  this->Truth = rtw::ShadowReference(this->Renderer, options).Trace(light, 1024, 1024);
+  this->Reference = std::make_unique<rtw::ShadowReference>(this->Renderer, options);
+  this->Truth = this->Reference->Trace(this->Light, 1024, 1024);
 }
 
 rtw::ShadowErrors rtwSceneStage::Measure(vtkAdaptiveShadowMapPass* pass, int frames,

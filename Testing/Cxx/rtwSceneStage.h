@@ -13,10 +13,12 @@
 #include "vtkRenderer.h"
 #include "vtkRenderWindow.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
 class vtkAdaptiveShadowMapPass;
+class vtkLight;
 
 class rtwSceneStage
 {
@@ -34,6 +36,8 @@ public:
   vtkNew<vtkRenderWindow> Window;
   vtkNew<vtkRenderer> Renderer;
   rtw::Truth Truth;
+  std::unique_ptr<rtw::ShadowReference> Reference; ///< that it is by
+  vtkLight* Light;                                 ///< of which it tells
   std::string Name;
 };
 

@@ -65,39 +65,35 @@ private:
   double Cone = 0; // a tangent; 0 if there is none
 };
 
-struct Pixel
-{
-  MaskValue Mask = MASK_BACKGROUND;
-  double Depth = 1;
-};
-
 class PixelTracer
 {
 public:
   // `eye` is where the view's rays are relative to, in the coordinates of Geometry.
   PixelTracer(const Tracer& tracer, double diagonal, const ViewRays& view, const dvec3& eye,
-    const LightRays& light, bool sharp)
+    const LightRays& light, bool sharp, double clearance = 1)
     : Rays(tracer)
     , Diagonal(diagonal)
     , View(view)
     , Eye(eye)
     , Light(light)
     , IsSharp(sharp)
+    , Clearance(clearance)
   {
   }
 
-  Pixel operator()(int x, int y) const
+  /// A point in pixels.
+  Look operator()(const glm::dvec2& point) const
   {
-    const std::optional<Seen> seen = this->Look(x, y);
+    const std::optional<Seen> seen = this->Find(point.x, point.y);
     return seen
-      ? Pixel{ this->Shade(*seen), this->View.WindowDepth(seen->Surface.Position - this->Eye) }
-      : Pixel{};
+      ? Look{ this->Shade(*seen), this->View.WindowDepth(seen->Surface.Position - this->Eye) }
+      : Look{};
   }
 
   /// But for the index, and only where the light is faced.
   std::optional<ViewSample> Sample(int x, int y) const
   {
-    const std::optional<Seen> seen = this->Look(x, y);
+    const std::optional<Seen> seen = this->Find(x + 0.5, y + 0.5);
     if (!seen || !this->FacesLight(*seen))
     {
       return std::nullopt;
@@ -122,9 +118,9 @@ private:
     return ray;
   }
 
-  std::optional<Seen> Look(int x, int y) const
+  std::optional<Seen> Find(double x, double y) const
   {
-    const Ray ray = this->RayAt(x + 0.5, y + 0.5);
+    const Ray ray = this->RayAt(x, y);
     const std::optional<Hit> hit = this->Rays.First(ray);
     if (!hit)
     {
@@ -174,7 +170,7 @@ private:
     const double whenMade = 1e-5 * (std::min(fromOrigin, this->Diagonal) + 0.05 * this->Diagonal);
     const double offset = std::max(whenMade, 1e-6 * glm::length(at.Position));
     const Ray ray = this->IsSharp
-      ? this->SharpRay(at, 0.3 * offset)
+      ? this->SharpRay(at, 0.3 * this->Clearance * offset)
       : Ray{ at.Position + at.Normal * offset, -this->Light.Towards(at.Position), offset,
           this->Light.Distance(at.Position) };
     return this->Rays.IsBlocked(ray, seen.What) ? MASK_SHADOW : MASK_LIT;
@@ -194,6 +190,7 @@ private:
   dvec3 Eye;
   const LightRays& Light;
   bool IsSharp;
+  double Clearance;
 };
 
 // Calls work(row) for all rows on some threads, this one among them.
@@ -231,9 +228,9 @@ struct ShadowReference::Internals
   Tracer Rays;
   double Diagonal;
 
-  // Calls work(trace, x, y) for all pixels, row by row.
+  // Calls work(trace) with what traces rays of that picture.
   template <class Work>
-  void ForEachPixel(vtkLight* light, int width, int height, Work work) const
+  void WithTracer(vtkLight* light, int width, int height, double clearance, Work work) const
   {
     // Lights that go with the camera are placed by the renderer, at each frame.
     this->Renderer->UpdateLightsGeometryToFollowCamera();
@@ -241,14 +238,23 @@ struct ShadowReference::Internals
     vtkCamera* camera = this->Renderer->GetActiveCamera();
     const ViewRays view(camera, width, height);
     const dvec3 eye = EyePosition(camera) - this->Rays.Scene().Origin;
-    const PixelTracer trace(this->Rays, this->Diagonal, view, eye, lightRays, this->Options.Sharp);
-    const auto row = [&](int y) {
-      for (int x = 0; x < width; ++x)
-      {
-        work(trace, x, y);
-      }
-    };
-    ForEachRow(height, this->Options, row);
+    work(PixelTracer(
+      this->Rays, this->Diagonal, view, eye, lightRays, this->Options.Sharp, clearance));
+  }
+
+  // Calls work(trace, x, y) for all pixels, row by row.
+  template <class Work>
+  void ForEachPixel(vtkLight* light, int width, int height, Work work) const
+  {
+    this->WithTracer(light, width, height, 1, [&](const PixelTracer& trace) {
+      const auto row = [&](int y) {
+        for (int x = 0; x < width; ++x)
+        {
+          work(trace, x, y);
+        }
+      };
+      ForEachRow(height, this->Options, row);
+    });
   }
 };
 
@@ -270,12 +276,21 @@ Truth ShadowReference::Trace(vtkLight* light, int width, int height) const
   truth.Depth.resize(truth.Mask.size());
   const auto pixel = [&](const PixelTracer& trace, int x, int y) {
     const size_t i = size_t(y) * width + x;
-    const Pixel seen = trace(x, y);
+    const Look seen = trace(glm::dvec2(x + 0.5, y + 0.5));
     truth.Mask[i] = seen.Mask;
     truth.Depth[i] = seen.Depth;
   };
   this->Inside->ForEachPixel(light, width, height, pixel);
   return truth;
+}
+
+Look ShadowReference::At(
+  vtkLight* light, int width, int height, const glm::dvec2& point, double clearance) const
+{
+  Look look;
+  this->Inside->WithTracer(
+    light, width, height, clearance, [&](const PixelTracer& trace) { look = trace(point); });
+  return look;
 }
 
 std::vector<ViewSample> ShadowReference::Samples(vtkLight* light, int width, int height) const

@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 class vtkLight;
@@ -40,6 +41,13 @@ struct ViewSample
   glm::dvec3
     ToRight; // where the next pixel's ray would meet the tangent plane, but for perspective
   glm::dvec3 ToAbove;
+};
+
+/// What one ray of the view meets.
+struct Look
+{
+  MaskValue Mask = MASK_BACKGROUND;
+  double Depth = 1; ///< as in Truth
 };
 
 struct ReferenceOptions
@@ -78,6 +86,12 @@ public:
   /// Through the renderer's present camera, for a directional, a spot or a point light. The camera
   /// may have moved, as far as the scene is large; whatever else has changed is seen as it was.
   Truth Trace(vtkLight* light, int width, int height) const;
+
+  /// As Trace() sees a point of that picture, which is given in pixels from its lower left corner.
+  /// `clearance` times as far above a surface as Trace() has it do rays to the light begin to meet
+  /// anything, where they are sharp.
+  Look At(
+    vtkLight* light, int width, int height, const glm::dvec2& point, double clearance = 1) const;
 
   /// The pixels that Trace() says are lit or in shadow, in their order.
   std::vector<ViewSample> Samples(vtkLight* light, int width, int height) const;
