@@ -4,7 +4,6 @@ layout(std430, binding = 2) readonly buffer States
 {
   uint rtwStates[];
 };
-uniform int rtwHasMap;
 uniform int rtwSamplesAPixel;
 uniform vec2 rtwOffsets[8]; // from the centre, in pixels
 out uint bits;
@@ -13,7 +12,7 @@ void main()
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   bits = rtwStates[pixel.y * textureSize(rtwSamples, 0).x + pixel.x];
-  for (int point = 0; point < rtwSamplesAPixel && rtwHasMap != 0; ++point)
+  for (int point = 0; point < rtwSamplesAPixel; ++point)
   {
     bool faces = (bits >> (STATE_FACES + uint(point)) & 1u) != 0u;
     float others = rtwOthers(rtwPlaneAt(rtwSampleOf(pixel, point), pixel, rtwOffsets[point]));

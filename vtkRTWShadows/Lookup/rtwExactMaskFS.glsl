@@ -3,7 +3,6 @@ layout(std430, binding = 2) readonly buffer States
 {
   uint rtwStates[];
 };
-uniform int rtwHasMap;
 out vec4 mask;
 
 void main()
@@ -14,11 +13,8 @@ void main()
   float visibility = RTW_NOT_LIT;
   if (facing > 0)
   {
-    visibility = 1.0 - float(bitCount(state & STATE_SAMPLES)) / float(facing);
-  }
-  if (facing > 0 && rtwHasMap != 0)
-  {
     float others = rtwOthers(rtwLoadPlane(pixel));
+    visibility = 1.0 - float(bitCount(state & STATE_SAMPLES)) / float(facing);
     visibility = others == RTW_NOT_LIT ? visibility : min(visibility, others);
   }
   mask = vec4(rtwMaskValue(visibility));

@@ -35,8 +35,10 @@ bool ExactShadows::Build(const MaskJob& job)
   ReceiverShape one = job.Shape; // each light is drawn by itself, and its own layer isn't looked at
   one.Switched = { 0 };
   one.OtherLayers = false;
-  if (!(one == this->Shape))
+  const bool others = job.OtherLayers > 0;
+  if (!(one == this->Shape) || this->HasOthers != others)
   {
+    this->HasOthers = others;
     this->Resolving.Release();
     this->Separating.Release();
     this->Painting.Release();
@@ -50,7 +52,9 @@ bool ExactShadows::Build(const MaskJob& job)
 
 bool ExactShadows::BuildDrawing(const MaskJob& job, const ReceiverShape& one)
 {
-  const std::string definitions = DefinitionsOf(one), lookup = LookupCode(one);
+  const std::string definitions = DefinitionsOf(one) +
+    (this->HasOthers ? "#define RTW_HAS_OTHERS 1\n" : "#define RTW_HAS_OTHERS 0\n");
+  const std::string lookup = LookupCode(one);
   const char* const stored = WarpTable::DefinitionOf(TableAccess::Texels);
   const auto build = [&](Program& program, const char* point, const char* main) {
     return program.Build({ { GL_VERTEX_SHADER, { rtwScreenVS } },
@@ -130,7 +134,6 @@ void ExactShadows::Resolve(const Program& program, const MaskJob& job, int light
   program.Use();
   this->Grid.BindStates();
   SetPoints(program, job.Samples.GetOffsets());
-  program.Set("rtwHasMap", job.OtherLayers > 0 ? 1 : 0);
   job.Samples.Bind(program);
   MaskStage::SetLookup(
     program, { job.Lights, 0, job.Layers, job.Table }, light, light + job.OtherLayers);

@@ -47,6 +47,7 @@ private:
   bool KeepsLengths = false;
   std::vector<ListLengths> Lengths;
   ReceiverShape Shape;
+  bool HasOthers = false; ///< casters that only mappers draw
   SampleGrid Grid;
   ExactCasting Casting;
   Program Resolving, Separating, Failing, Painting;
