@@ -4,10 +4,12 @@
 #include "rtwExactTwin.h"
 #include "rtwShadowStage.h"
 
+#include "vtkCamera.h"
 #include "vtkCellArray.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <iostream>
@@ -172,6 +174,67 @@ void TestStripes()
   stage.Compare(1000);
 }
 
+// Edges that pass through the centres of pixels exactly: by the light straight above, from a camera
+// that looks straight down, below them, each number is known to the last bit.
+void TestOnEdges()
+{
+  rtwShadowStage stage(rtwTechnique::Exact);
+  stage.Name = "on edges";
+  stage.AddFloor(16);
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> cells;
+  constexpr int Cells = 64;
+  const auto at = [](int k) { return (2 * k + 1) / 64.0 - 1.0; };
+  for (int row = 0; row <= Cells; ++row)
+  {
+    for (int column = 0; column <= Cells; ++column)
+    {
+      points->InsertNextPoint(at(column), 4, at(row));
+    }
+  }
+  for (int row = 0; row < Cells; ++row)
+  {
+    for (int column = 0; column < Cells; ++column)
+    {
+      const vtkIdType first = row * (Cells + 1) + column, above = first + Cells + 1;
+      const vtkIdType low[] = { first, first + 1, above + 1 }, high[] = { first, above + 1, above };
+      cells->InsertNextCell(3, low);
+      cells->InsertNextCell(3, high);
+    }
+  }
+  vtkNew<vtkPolyData> plate;
+  plate->SetPoints(points);
+  plate->SetPolys(cells);
+  stage.Add(plate.Get());
+  stage.AddSun(0, 1, 0);
+  // Pixels as wide as the cells, whose centres are their corners.
+  stage.Window->SetSize(128, 128);
+  vtkCamera* camera = stage.Renderer->GetActiveCamera();
+  camera->ParallelProjectionOn();
+  camera->SetParallelScale(2);
+  camera->SetPosition(0, 2, 0);
+  camera->SetFocalPoint(0, 0, 0);
+  camera->SetViewUp(0, 0, 1);
+  camera->SetClippingRange(1, 3);
+  stage.Window->Render();
+  const std::vector<unsigned char> mask = stage.GetMask(0);
+  int leaks = 0, lit = 0;
+  for (int y = 0; y < 128; ++y)
+  {
+    for (int x = 0; x < 128; ++x)
+    {
+      const double column = (x + 0.5) / 32 - 2, row = (y + 0.5) / 32 - 2;
+      const bool isUnder = std::max(std::abs(column), std::abs(row)) < 0.96;
+      const bool isBeside = std::max(std::abs(column), std::abs(row)) > 1.1;
+      leaks += isUnder && mask[std::size_t(y) * 128 + x] > rtw::MASK_AVERTED;
+      lit += isBeside && mask[std::size_t(y) * 128 + x] > rtw::MASK_AVERTED;
+    }
+  }
+  std::cout << "on edges: " << leaks << " pixels leak, " << lit << " beside are lit" << std::endl;
+  RTW_CHECK_EQUAL(leaks, 0);
+  RTW_CHECK(lit > 10000);
+}
+
 void TestRandom()
 {
   Stage stage("random");
@@ -196,6 +259,7 @@ int TestExactTwin(int, char*[])
 {
   TestFan();
   TestStripes();
+  TestOnEdges();
   TestRandom();
   return rtwTestResult();
 }

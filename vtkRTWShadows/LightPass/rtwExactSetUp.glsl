@@ -72,28 +72,36 @@ void rtwAddCaster(dvec4 ha, dvec4 hb, dvec4 hc)
   }
 }
 
-// The part of a triangle that isn't beside or behind a lamp.
-void rtwAddClipped(dvec4 h[3])
+// Where an edge that reaches from before a lamp to beside or behind it leaves what casts.
+dvec4 rtwCut(dvec4 front, dvec4 behind)
 {
-  dvec4 kept[4];
-  int n = 0;
-  for (int i = 0; i < 3; ++i)
+  dvec4 cut = mix(front, behind, (double(rtwNearestW) - front.w) / (behind.w - front.w));
+  cut.w = double(rtwNearestW);
+  return cut;
+}
+
+// The part of a triangle that isn't beside or behind a lamp: of one that has two corners there, a triangle, of one that has one, two. No
+// array is indexed by what is computed: some drivers lose elements of those.
+void rtwAddClipped(dvec4 a, dvec4 b, dvec4 c)
+{
+  bvec3 front = bvec3(a.w >= rtwNearestW, b.w >= rtwNearestW, c.w >= rtwNearestW);
+  int count = int(front.x) + int(front.y) + int(front.z);
+  if (count == 0)
   {
-    dvec4 a = h[i];
-    dvec4 b = h[(i + 1) % 3];
-    if (a.w >= rtwNearestW)
-    {
-      kept[n++] = a;
-    }
-    if ((a.w < rtwNearestW) != (b.w < rtwNearestW))
-    {
-      kept[n] = mix(a, b, (double(rtwNearestW) - a.w) / (b.w - a.w));
-      kept[n++].w = rtwNearestW;
-    }
+    return;
   }
-  for (int i = 2; i < n; ++i)
+  // The odd one first.
+  bool odd = count == 1;
+  bool second = front.y == odd && front.x != odd;
+  bool third = front.z == odd && front.x != odd && front.y != odd;
+  dvec4 p = second ? b : third ? c : a;
+  dvec4 q = second ? c : third ? a : b;
+  dvec4 r = second ? a : third ? b : c;
+  dvec4 pq = odd ? rtwCut(p, q) : rtwCut(q, p);
+  dvec4 pr = odd ? rtwCut(p, r) : rtwCut(r, p);
+  for (int part = 0; part < (odd ? 1 : 2); ++part)
   {
-    rtwAddCaster(kept[0], kept[i - 1], kept[i]);
+    rtwAddCaster(odd ? p : part == 0 ? q : pr, odd ? pq : part == 0 ? r : pq, odd ? pr : part == 0 ? pr : q);
   }
 }
 
@@ -109,7 +117,7 @@ void main()
     }
     else
     {
-      rtwAddClipped(h);
+      rtwAddClipped(h[0], h[1], h[2]);
     }
   }
 }
