@@ -2,11 +2,10 @@
 // Layers by depth beside exact rays: lights of both kinds and several of them under each warp, what
 // only VTK's mappers draw, receivers that look shadows up themselves, and the faces of the frustum.
 #include "rtwCascadeStage.h"
-#include "rtwDebugViews.h"
+#include "rtwEachTechnique.h"
 
 #include "vtkCascadedShadowMapPass.h"
 #include "vtkImageData.h"
-#include "vtkLightCollection.h"
 #include "vtkNonOrthogonalShadowMapWarp.h"
 #include "vtkPerspectiveShadowMapWarp.h"
 #include "vtkProperty.h"
@@ -40,18 +39,10 @@ void SetWarp(rtwShadowStage& stage, const std::string& name)
 void TestLights(rtwChain chain, const std::string& warp)
 {
   rtwShadowStage stage(rtwTechnique::Cascades, chain);
-  stage.Name = "lights " + warp + (chain == rtwChain::Classic ? " classic" : " steps");
+  stage.Name = "lights " + warp + " " + rtwNameOf(chain);
   SetWarp(stage, warp);
-  stage.AddObjects();
-  vtkLight* sun = stage.AddSun(3, 5, 2);
-  vtkLight* spot = stage.AddSpot(3, 7, 2, 40);
-  vtkLight* low = stage.AddSun(-5, 2, 1);
-  stage.Render();
-  RTW_CHECK_EQUAL(stage.Pass->GetNumberOfShadowLights(), 3);
+  rtwCheckLights(stage);
   RTW_CHECK_EQUAL(stage.Pass->GetNumberOfLayersDrawn(), 12);
-  RTW_CHECK_SHADOWS(stage, sun, 0);
-  RTW_CHECK_SHADOWS(stage, spot, 1);
-  RTW_CHECK_SHADOWS(stage, low, 2);
   RTW_CHECK_PICTURE(stage);
 }
 
@@ -61,11 +52,7 @@ void TestGlyphs(const std::string& warp)
   rtwShadowStage stage(rtwTechnique::Cascades);
   stage.Name = "glyphs " + warp;
   SetWarp(stage, warp);
-  rtwFillForDebugViews(stage);
-  stage.Render();
-  vtkLightCollection* lights = stage.Renderer->GetLights();
-  RTW_CHECK_SHADOWS(stage, vtkLight::SafeDownCast(lights->GetItemAsObject(0)), 0);
-  RTW_CHECK_SHADOWS(stage, vtkLight::SafeDownCast(lights->GetItemAsObject(1)), 1);
+  rtwCheckGlyphs(stage);
 }
 
 // What looks shadows up itself, because it is translucent or because pixels have several samples or

@@ -2,6 +2,7 @@
 // Exact hard shadows beside exact rays: lights of both kinds and several of them, any warp, what
 // has no view samples, watertight and closed meshes, what outgrows the memory bound, and settings.
 #include "rtwDebugViews.h"
+#include "rtwEachTechnique.h"
 
 #include "vtkCamera.h"
 #include "vtkExactShadowMapPass.h"
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <string>
 
 namespace
 {
@@ -34,16 +36,9 @@ struct Stage : rtwShadowStage
 
 void TestLights(rtwChain chain)
 {
-  Stage stage(chain == rtwChain::Classic ? "lights classic" : "lights steps", chain);
-  stage.AddObjects();
-  vtkLight* sun = stage.AddSun(3, 5, 2);
-  vtkLight* spot = stage.AddSpot(3, 7, 2, 40);
-  vtkLight* low = stage.AddSun(-5, 2, 1);
-  stage.Render();
-  RTW_CHECK_EQUAL(stage.Pass->GetNumberOfShadowLights(), 3);
-  RTW_CHECK_SHADOWS_WITHIN(stage, sun, 0, Exact);
-  RTW_CHECK_SHADOWS_WITHIN(stage, spot, 1, Exact);
-  RTW_CHECK_SHADOWS_WITHIN(stage, low, 2, Exact);
+  const std::string name = std::string("lights ") + rtwNameOf(chain);
+  Stage stage(name.c_str(), chain);
+  rtwCheckLights(stage, Exact);
   RTW_CHECK_PICTURE(stage);
   // No map was drawn for that.
   RTW_CHECK(stage.Pass->GetShadowMapImage(0) == nullptr);

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Non-orthogonal texture warping beside exact rays: lights of both kinds and several of them, what
 // only VTK's mappers draw, floors of two triangles, the ways of rasterizing, and its settings.
-#include "rtwDebugViews.h"
 #include "rtwDeepStage.h"
+#include "rtwEachTechnique.h"
 #include "rtwNonOrthogonalWarp.h"
 
 #include "vtkImageData.h"
-#include "vtkLightCollection.h"
 #include "vtkNonOrthogonalShadowMapWarp.h"
 #include "vtkNoTWShadowMapPass.h"
 
@@ -14,6 +13,7 @@
 #include <cmath>
 #include <iostream>
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace
@@ -26,26 +26,15 @@ vtkNonOrthogonalShadowMapWarp* WarpOf(rtwShadowStage& stage)
 void TestLights(rtwChain chain)
 {
   rtwShadowStage stage(rtwTechnique::NoTW, chain);
-  stage.Name = chain == rtwChain::Classic ? "lights classic" : "lights steps";
-  stage.AddObjects();
-  vtkLight* sun = stage.AddSun(3, 5, 2);
-  vtkLight* spot = stage.AddSpot(3, 7, 2, 40);
-  vtkLight* low = stage.AddSun(-5, 2, 1);
-  stage.Render();
-  RTW_CHECK_EQUAL(stage.Pass->GetNumberOfShadowLights(), 3);
-  RTW_CHECK_SHADOWS(stage, sun, 0);
-  RTW_CHECK_SHADOWS(stage, spot, 1);
-  RTW_CHECK_SHADOWS(stage, low, 2);
+  stage.Name = std::string("lights ") + rtwNameOf(chain);
+  rtwCheckLights(stage);
 }
 
 void TestGlyphs()
 {
   rtwShadowStage stage(rtwTechnique::NoTW);
   stage.Name = "glyphs";
-  rtwFillForDebugViews(stage);
-  stage.Render();
-  auto* sun = vtkLight::SafeDownCast(stage.Renderer->GetLights()->GetItemAsObject(0));
-  RTW_CHECK_SHADOWS(stage, sun, 0);
+  rtwCheckGlyphs(stage);
 }
 
 struct Deep : rtwDeepStage

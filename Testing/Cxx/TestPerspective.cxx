@@ -2,15 +2,14 @@
 // Perspective warps beside exact rays: lights of both kinds and several of them, what only VTK's
 // mappers draw, triangles that reach behind the viewer, each parameterization beside its twin in
 // double precision, lights that pass through the line of sight, and bad input.
-#include "rtwDebugViews.h"
 #include "rtwDeepStage.h"
+#include "rtwEachTechnique.h"
 
 #include "rtwMapTexels.h"
 #include "rtwPerspectiveWarp.h"
 
 #include "vtkCamera.h"
 #include "vtkImageData.h"
-#include "vtkLightCollection.h"
 #include "vtkLineSource.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPerspectiveShadowMapPass.h"
@@ -22,6 +21,7 @@
 #include <iostream>
 #include <limits>
 #include <sstream>
+#include <string>
 #include <vector>
 
 namespace
@@ -36,26 +36,15 @@ vtkPerspectiveShadowMapPass* PassOf(rtwShadowStage& stage)
 void TestLights(rtwChain chain)
 {
   rtwShadowStage stage(rtwTechnique::Perspective, chain);
-  stage.Name = chain == rtwChain::Classic ? "lights classic" : "lights steps";
-  stage.AddObjects();
-  vtkLight* sun = stage.AddSun(3, 5, 2);
-  vtkLight* spot = stage.AddSpot(3, 7, 2, 40);
-  vtkLight* low = stage.AddSun(-5, 2, 1);
-  stage.Render();
-  RTW_CHECK_EQUAL(stage.Pass->GetNumberOfShadowLights(), 3);
-  RTW_CHECK_SHADOWS(stage, sun, 0);
-  RTW_CHECK_SHADOWS(stage, spot, 1);
-  RTW_CHECK_SHADOWS(stage, low, 2);
+  stage.Name = std::string("lights ") + rtwNameOf(chain);
+  rtwCheckLights(stage);
 }
 
 void TestGlyphs()
 {
   rtwShadowStage stage(rtwTechnique::Perspective);
   stage.Name = "glyphs";
-  rtwFillForDebugViews(stage);
-  stage.Render();
-  auto* sun = vtkLight::SafeDownCast(stage.Renderer->GetLights()->GetItemAsObject(0));
-  RTW_CHECK_SHADOWS(stage, sun, 0);
+  rtwCheckGlyphs(stage);
 }
 
 struct Deep : rtwDeepStage
