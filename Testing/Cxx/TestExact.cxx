@@ -10,7 +10,6 @@
 #include "vtkImageData.h"
 #include "vtkLightCollection.h"
 #include "vtkNonOrthogonalShadowMapWarp.h"
-#include "vtkPlaneSource.h"
 #include "vtkProperty.h"
 #include "vtkRectilinearShadowMapWarp.h"
 
@@ -125,21 +124,6 @@ void TestInside()
   rtwShadowBounds rim = Exact;
   rim.Stray = 0.05; // it is long, in a room
   RTW_CHECK_SHADOWS_WITHIN(stage, spot, 0, rim);
-}
-
-// What reaches from behind a lamp into its light casts with the part that is before it.
-void TestBesideLamp()
-{
-  Stage stage("beside lamp");
-  stage.AddFloor();
-  vtkNew<vtkPlaneSource> plank;
-  plank->SetOrigin(1.5, 6, -0.4);
-  plank->SetPoint1(0.6, 1.2, -0.2);
-  plank->SetPoint2(1.5, 6, 0.4);
-  stage.Add(plank);
-  vtkLight* spot = stage.AddSpot(0, 4, 0.2, 60);
-  stage.Render();
-  RTW_CHECK_SHADOWS_WITHIN(stage, spot, 0, Exact);
 }
 
 void TestMemoryBound()
@@ -291,7 +275,6 @@ int TestExact(int, char*[])
   TestMaps();
   TestCurved();
   TestInside();
-  TestBesideLamp();
   TestMemoryBound();
   TestPixelSamples();
   TestSettings();
