@@ -5,6 +5,8 @@
 #define rtwCasterDrawing_h
 
 #include "rtwBuffer.h"
+#include "rtwCasterCulling.h"
+#include "rtwCasterLayer.h"
 #include "rtwDrawing.h"
 #include "rtwLightFrame.h"
 #include "rtwProgram.h"
@@ -18,39 +20,6 @@
 
 namespace rtw
 {
-class DeepestSamples;
-class GeometryStore;
-
-/// What becomes of triangles that the warp bends; the numbers are the users'.
-enum class Bending
-{
-  Linear = 0,      ///< nothing
-  Tessellated = 1, ///< they are cut up
-  Exact = 2,       ///< they are drawn by their own edges
-  Automatic = 3    ///< the same, where it can be seen
-};
-
-struct CasterOptions
-{
-  bool Cull = true; ///< leave out what cannot shadow anything in focus
-  Bending Bends = Bending::Automatic;
-  double EdgeLength = 0.025; ///< of tessellated triangles at most, of the map's side
-  /// Of bent edges, that far at most are they drawn straight; where that is as they are in the
-  /// mesh, of some that are long.
-  double StraightLength() const
-  {
-    return this->Bends == Bending::Linear   ? 0.25
-      : this->Bends == Bending::Tessellated ? this->EdgeLength
-                                            : 0;
-  }
-};
-
-struct CasterCounts
-{
-  unsigned int Drawn = 0; ///< clusters of triangles
-  unsigned int Culled = 0;
-};
-
 class CasterDrawing
 {
 public:
@@ -58,44 +27,32 @@ public:
   bool Build(const WarpShape& warp, TableAccess access);
   std::string GetLog() const;
   /// Forgets what it counted of a layer.
-  void StartLayer(int layer);
+  void StartLayer(int layer) { this->Clusters.StartLayer(layer); }
   /// Draws what a layer needs of the store into the target that is bound.
   void Draw(const GeometryStore& store, const WarpTable& table, const LightFrame& frame, int layer,
     const CasterOptions& options, const DeepestSamples* deepest = nullptr);
   /// Of a layer in the last frame. Waits for the GPU.
-  CasterCounts ReadCounts(int layer) const;
+  CasterCounts ReadCounts(int layer) const { return this->Clusters.ReadCounts(layer); }
   std::size_t GetMemory() const;
   void Release();
   void Abandon();
 
 private:
-  struct Layer
-  {
-    const GeometryStore& Store;
-    const WarpTable& Table;
-    const LightFrame& Frame;
-    int Index;
-
-    CasterOptions Options;
-    const DeepestSamples* Deepest;
-  };
-
   std::array<Program*, 8> Programs();
-  std::array<Buffer*, 7> Buffers();
-  Bending BendingOf(const Layer& layer) const;
-  void Prepare(const Program& program, const Layer& layer) const;
-  void Focus(const Layer& layer);
-  void Cull(const Layer& layer, int first, int end);
-  void SetUp(const Layer& layer, int clusters);
-  void DrawTriangles(const Layer& layer, int clusters);
-  void DrawThin(const Layer& layer);
+  std::array<Buffer*, 5> Buffers();
+  Bending BendingOf(const CasterOptions& options) const;
+  void Start(const CasterLayer& layer, int first, int most);
+  void SetUp(const CasterLayer& layer, int clusters);
+  void DrawTriangles(const CasterLayer& layer, int clusters);
+  void DrawThin(const CasterLayer& layer);
 
   std::string Warp;
   bool InTiles = false; ///< whether bent triangles are covered by tiles of the map
   bool Projective = false; ///< it keeps edges straight
   TableAccess Access = TableAccess::Storage;
-  Program Focusing, Culling, CullingTriangles, SettingUp, Straight, Bent, Patches, Thin;
-  Buffer LightMatrices, Matrices, Work, StraightCasters, BentCasters, Covers, Counts;
+  CasterCulling Clusters;
+  Program Starting, CullingTriangles, SettingUp, Straight, Plane, Bent, Patches, Thin;
+  Buffer Work, WorkGroups, StraightCasters, BentCasters, Covers;
   PulledVertices Pulled;
   TileCovers Tiles;
   MeshArray Array;

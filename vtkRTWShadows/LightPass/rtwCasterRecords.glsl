@@ -2,9 +2,9 @@
 struct StraightCaster
 {
   vec2 onMap[3];
-  float depth[3];
-  float unused;
-  vec2 slope; // of depth, in focused light-plane coordinates
+  float depth[3];  // at the corners; where fragments take theirs from the plane, q and depth of one
+  vec2 slope;      // of depth, in focused light-plane coordinates
+  vec2 depthRange; // least and greatest, where the plane is asked for
 };
 
 struct BentCaster

@@ -5,6 +5,7 @@ struct CasterWork
 {
   uint straightDraw[4]; // vertices, instances, first vertex, first instance
   uint bentDraw[4];
+  uint planeDraw[4];
   uint patchDraw[4 * PATCH_CLASSES]; // with 1, 2, 4 … pieces along an edge
   uint firstIndex;
   uint baseVertex;

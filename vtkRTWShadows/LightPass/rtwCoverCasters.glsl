@@ -5,6 +5,7 @@
 const int FEW_SLICES = 4; // that there is always room for
 const uint MOST_SLICES = MOST_COVERS - uint(FEW_SLICES) * MOST_TRIANGLES;
 const float ROUNDING = 1e-6;   // a share of a coordinate
+const int BLOCK = 4;           // texels a side
 const float SLICE_COST = 33.0; // of a cover, in fragments
 
 // The triangle whose edges lie farther out by what a box of half that size reaches beyond them.
@@ -63,6 +64,13 @@ float rtwCentre(int axis, int texel)
   return rtwTexelCentre(rtwLayer, ivec2(texel))[axis];
 }
 
+// Between blocks, as rasterizers go block by block: a band that shares some with the next has them shaded twice.
+int rtwSliceStart(int first, int count, int k, int slices)
+{
+  int start = first + count * k / slices;
+  return k == 0 || k == slices ? start : max(start & ~(BLOCK - 1), first);
+}
+
 // Bands of texels along one axis, each as long as the triangle is there.
 void rtwAddSlices(Caster t, uint caster, ivec4 texels, int slices, float depth)
 {
@@ -73,8 +81,8 @@ void rtwAddSlices(Caster t, uint caster, ivec4 texels, int slices, float depth)
   float texel = 1.0 / float(rtwWarpSize.y);
   for (int k = 0; k < slices; ++k)
   {
-    int from = first + count * k / slices;
-    int end = first + count * (k + 1) / slices;
+    int from = rtwSliceStart(first, count, k, slices);
+    int end = rtwSliceStart(first, count, k + 1, slices);
     float rounding = ROUNDING * (1.0 + max(abs(t.low[across]), abs(t.high[across])));
     vec2 span = rtwSpan(t, along, rtwCentre(across, from) - rounding, rtwCentre(across, end - 1) + rounding);
     if (span.x > span.y || end == from)

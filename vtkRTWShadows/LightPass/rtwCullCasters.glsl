@@ -1,11 +1,14 @@
 // Which clusters can cast a shadow into a layer that is seen, and how many triangles at the start of each, the largest, the warp may bend.
 layout(local_size_x = 64) in;
+layout(std430, binding = 3) writeonly buffer BentEnds
+{
+  uint rtwBentEnds[]; // a draw: 0 if it is culled, otherwise one more than the end of its indices that the warp may bend
+};
 layout(std430, binding = 5) buffer Counts
 {
   uint rtwCounts[]; // a layer: clusters drawn, clusters culled
 };
-uniform int rtwFirstDraw;
-uniform int rtwEndDraw;
+uniform int rtwNumberOfDraws;
 uniform int rtwLayer;
 uniform int rtwCull;           // whether to leave out what shadows nothing in view
 uniform int rtwBending;        // whether bent triangles are treated apart
@@ -82,36 +85,20 @@ bool rtwCanShadow(Extent e)
 
 void main()
 {
-  uint i = gl_GlobalInvocationID.x;
-  if (rtwFirstDraw + int(i) >= rtwEndDraw)
+  int i = int(gl_GlobalInvocationID.x);
+  if (i >= rtwNumberOfDraws)
   {
     return;
   }
-  ClusterDraw draw = rtwDraws[rtwFirstDraw + int(i)];
+  ClusterDraw draw = rtwDraws[i];
   Cluster cluster = rtwClusters[draw.cluster];
   mat4 m = rtwMatrices[draw.instance];
   Extent e = rtwExtentOf(cluster, m);
   bool crosses = e.leastW < rtwNearestW;
   bool casts = (draw.flags & CASTS) != 0u && (rtwCanShadow(e) || rtwCull == 0);
-  uint end = casts ? cluster.classEnd[SIZE_CLASSES - 1] : 0u;
-  uint bent = !casts ? 0u : crosses ? end : rtwBending == 0 ? 0u : rtwBentIndices(cluster, m, e);
-  rtwWork[i].straightDraw = uint[4](0u, 1u, 3u * MOST_TRIANGLES * i, 0u);
-  rtwWork[i].bentDraw = uint[4](0u, 1u, 6u * MOST_COVERS * i, 0u);
-  for (uint k = 0u; k < PATCH_CLASSES; ++k)
-  {
-    rtwWork[i].patchDraw[4u * k] = 0u;
-    rtwWork[i].patchDraw[4u * k + 1u] = 1u;
-    rtwWork[i].patchDraw[4u * k + 2u] = rtwPatchVertices(k) * rtwPatchesOf(k) * i;
-    rtwWork[i].patchDraw[4u * k + 3u] = 0u;
-  }
-  rtwWork[i].firstIndex = cluster.firstIndex;
-  rtwWork[i].baseVertex = cluster.baseVertex;
-  rtwWork[i].instance = draw.instance;
-  rtwWork[i].bentEnd = bent;
-  rtwWork[i].end = end;
-  rtwWork[i].slices = 0u;
-  rtwWork[i].patches = 0u;
-  rtwWork[i].numberOfCasters = 0u;
+  uint end = cluster.classEnd[SIZE_CLASSES - 1];
+  uint bent = crosses ? end : rtwBending == 0 ? 0u : rtwBentIndices(cluster, m, e);
+  rtwBentEnds[i] = casts ? bent + 1u : 0u;
   if ((draw.flags & CASTS) != 0u)
   {
     atomicAdd(rtwCounts[2 * rtwLayer + (casts ? 0 : 1)], 1u);

@@ -51,6 +51,19 @@ void rtwDrawStraight(Caster t, vec2 slope, vec2 u[3])
   rtwStraight[i].slope = slope;
 }
 
+void rtwDrawPlane(Caster t, CasterPlane p, vec2 u[3])
+{
+  uint cluster = gl_WorkGroupID.x;
+  uint i = MOST_TRIANGLES * (cluster + 1u) - 1u - atomicAdd(rtwWork[cluster].planeDraw[0], 3u) / 3u;
+  for (int k = 0; k < 3; ++k)
+  {
+    rtwStraight[i].onMap[k] = u[k];
+    rtwStraight[i].depth[k] = p.anchor[k];
+  }
+  rtwStraight[i].slope = p.slope;
+  rtwStraight[i].depthRange = t.depths;
+}
+
 void rtwDrawBent(Caster t, CasterPlane p, uint place, uint caster, vec2 u[3], vec2 bend)
 {
   rtwBent[caster].edges[0] = vec4(p.edges[0], p.slope.x);
@@ -58,6 +71,29 @@ void rtwDrawBent(Caster t, CasterPlane p, uint place, uint caster, vec2 u[3], ve
   rtwBent[caster].edges[2] = vec4(p.edges[2], t.depths.x);
   rtwBent[caster].anchor = vec4(p.anchor, t.depths.y);
   rtwCover(t, place, caster, u, bend);
+}
+
+// Whether any texel's centre can lie in a triangle with these corners on the map, whose edges stray from straight lines by no more than
+// that. Of a fine mesh most bounds hold few centres, and half of them lie beside the triangle.
+bool rtwHidesACentre(vec2 u[3], vec2 bend)
+{
+  vec2 stray = bend + MARGIN / float(rtwWarpSize.y);
+  ivec4 texels = rtwTexels(vec4(min(u[0], min(u[1], u[2])) - stray, max(u[0], max(u[1], u[2])) + stray));
+  bool few = all(lessThan(texels.zw - texels.xy, ivec2(2)));
+  float turn = (u[1].x - u[0].x) * (u[2].y - u[0].y) - (u[1].y - u[0].y) * (u[2].x - u[0].x) < 0.0 ? -1.0 : 1.0;
+  bvec4 beside = bvec4(false);
+  vec2 first = (vec2(texels.xy) + 0.5) / float(rtwWarpSize.y);
+  vec2 last = (vec2(texels.zw) + 0.5) / float(rtwWarpSize.y);
+  for (int i = 0; i < 3; ++i)
+  {
+    vec2 along = u[(i + 1) % 3] - u[i];
+    vec2 away = turn * vec2(along.y, -along.x);
+    float far = dot(away, u[i]) + dot(abs(away), stray);
+    vec4 at = vec4(away.x * first.x, away.x * last.x, away.x * first.x, away.x * last.x) +
+      away.y * vec4(first.y, first.y, last.y, last.y);
+    beside = bvec4(uvec4(beside) | uvec4(greaterThan(at, vec4(far))));
+  }
+  return !few || !all(beside);
 }
 
 // By its place in the list.
@@ -76,13 +112,21 @@ void rtwSetUp(uint place)
     u[k] = rtwWarp(rtwLayer, t.points[k].xy / t.points[k].w);
   }
   vec2 bend = rtwBends(rtwLayer, t.low, t.high);
+  if (!t.crosses && !rtwHidesACentre(u, bend))
+  {
+    return;
+  }
   vec2 shift = rtwShifts(rtwLayer, t.low, t.high);
-  bool straight = 3u * triangle >= rtwWork[gl_WorkGroupID.x].bentEnd ||
-    (max(bend.x, bend.y) <= rtwAllowedBend && dot(abs(p.slope), shift) <= ALLOWED_ERROR);
+  bool unbent = 3u * triangle >= rtwWork[gl_WorkGroupID.x].bentEnd;
+  bool straight = !t.crosses && (unbent || max(bend.x, bend.y) <= rtwAllowedBend);
   uint caster = MOST_TRIANGLES * gl_WorkGroupID.x + triangle;
-  if (straight && !t.crosses)
+  if (straight && (unbent || dot(abs(p.slope), shift) <= ALLOWED_ERROR))
   {
     rtwDrawStraight(t, p.slope, u);
+  }
+  else if (straight)
+  {
+    rtwDrawPlane(t, p, u);
   }
   else if (rtwTessellating != 0 && !t.crosses)
   {

@@ -32,10 +32,9 @@ float rtwFiltered(int light, int layer, vec4 focus, rtwReceiver r, float w)
 }
 
 // How much of a light reaches a receiver by the map of a layer.
-float rtwVisibilityOn(int light, int layer, vec4 l, vec3 dx, vec3 dy, float area)
+float rtwVisibilityOn(int light, int layer, vec4 focus, vec4 l, vec3 dx, vec3 dy, float area)
 {
   float visibility = 1.0;
-  vec4 focus = rtwFocusOf(layer);
   vec3 q = vec3(rtwFocused(focus, l.xy), l.z);
   if (all(equal(clamp(q.xy, 0.0, 1.0), q.xy)))
   {
@@ -66,29 +65,32 @@ uniform vec4 rtwBeams[RTW_LIGHTS]; // as rtwFaceAt() has them
 // How far the layer at a depth has given way to the next.
 float rtwShareOfNext(int first, float depth)
 {
-  float share = 0.0;
+  vec2 band = vec2(0.0, 1.0);
   for (int k = rtwFaces; k < RTW_PARTS; k += rtwFaces)
   {
-    float begin = rtwBlendStart(first + k);
-    float end = rtwIntervalOf(first + k).x;
-    share = depth > begin && depth < end ? (depth - begin) / (end - begin) : share;
+    vec2 here = vec2(rtwBlendStart(first + k), rtwIntervalOf(first + k).x);
+    band = depth > here.x && depth < here.y ? here : band;
   }
-  return share;
+  return depth > band.x && depth < band.y && band.x > 0.0 ? (depth - band.x) / (band.y - band.x) : 0.0;
 }
 
 // Beside a seam there is what no view sample knew of, as between samples or those of a pixel: the next layer that holds it will do, the
-// farther of two.
-int rtwLayerThatHolds(int wanted, int first, vec2 onLight)
+// farther of two. With its focus, which is at hand here: to look for it by the layer's number costs more.
+int rtwLayerThatHolds(int wanted, int first, vec2 onLight, out vec4 focus)
 {
   int layer = wanted;
   int least = 2 * RTW_PARTS;
+  focus = vec4(0.0);
   for (int k = first; k < first + RTW_PARTS; ++k)
   {
-    vec2 q = rtwFocused(rtwFocusOf(k), onLight);
-    int away = k < wanted ? 2 * (wanted - k) + 1 : 2 * (k - wanted);
-    bool better = away < least && all(equal(clamp(q, 0.0, 1.0), q));
+    vec4 here = rtwFocusOf(k);
+    vec2 q = rtwFocused(here, onLight);
+    bool holds = all(equal(clamp(q, 0.0, 1.0), q));
+    int away = holds ? k < wanted ? 2 * (wanted - k) + 1 : 2 * (k - wanted) : 2 * RTW_PARTS;
+    bool better = away < least || (k == wanted && least == 2 * RTW_PARTS);
     layer = better ? k : layer;
-    least = better ? away : least;
+    focus = better ? here : focus;
+    least = min(away, least);
   }
   return layer;
 }
@@ -108,7 +110,8 @@ float rtwVisibility(int light, vec4 l, vec3 dx, vec3 dy, vec3 p)
     int first = light * RTW_PARTS + rtwFirstLayer;
 #if RTW_PARTS > 1
     int wanted = rtwLayerAt(first, RTW_PARTS, p, rtwBeams[light]);
-    int layer = rtwLayerThatHolds(wanted, first, l.xy);
+    vec4 focus;
+    int layer = rtwLayerThatHolds(wanted, first, l.xy, focus);
     int next = min(wanted + rtwFaces, first + RTW_PARTS - 1);
     float share = rtwShareOfNext(first, -p.z);
     // A loop, since some drivers go through both branches of a condition: nearly no receiver lies in a band.
@@ -117,13 +120,14 @@ float rtwVisibility(int light, vec4 l, vec3 dx, vec3 dy, vec3 p)
     int lookups = share > 0.0 ? 2 : 1;
     do
     {
-      visibility += weight * rtwVisibilityOn(light, layer, l, dx, dy, area);
+      visibility += weight * rtwVisibilityOn(light, layer, focus, l, dx, dy, area);
       layer = next;
+      focus = rtwFocusOf(next);
       weight = share;
       --lookups;
     } while (lookups > 0);
 #else
-    visibility = rtwVisibilityOn(light, first, l, dx, dy, area);
+    visibility = rtwVisibilityOn(light, first, rtwFocusOf(first), l, dx, dy, area);
 #endif
   }
   return visibility;
