@@ -66,6 +66,7 @@ static_assert(
     static_cast<int>(LightPlaneTurn::MINIMAL_FRUSTUM) ==
       vtkRTWShadowMapPass::TURN_MINIMAL_FRUSTUM &&
     static_cast<int>(Perspective::UNWARPED) == vtkPerspectiveShadowMapPass::UNWARPED &&
+    static_cast<int>(ResolutionSplit::AUTOMATIC) == vtkPerspectiveShadowMapPass::AUTOMATIC &&
     static_cast<int>(Splits::SAMPLE_DISTRIBUTION) ==
       vtkCascadedShadowMapPass::SAMPLE_DISTRIBUTION &&
     static_cast<int>(SampleSource::PREVIOUS_FRAME) == vtkRTWShadowMapPass::PREVIOUS_FRAME &&
@@ -308,6 +309,14 @@ void ConfigurePerspective(vtkPerspectiveShadowMapWarp* warp, const TechniqueSett
   if (settings.Eta)
   {
     warp->SetEta(*settings.Eta);
+  }
+  if (settings.Split)
+  {
+    warp->SetResolutionSplit(static_cast<int>(*settings.Split));
+  }
+  if (settings.SplitRatio)
+  {
+    warp->SetResolutionRatio(*settings.SplitRatio);
   }
 }
 

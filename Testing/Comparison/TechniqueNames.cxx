@@ -122,4 +122,27 @@ void ReadPerspective(
   }
   Refuse(option, text, "psm, lispsm, tsm, none, or n' above 0");
 }
+
+void ReadResolutionSplit(
+  const std::string& option, const std::string& text, TechniqueSettings& settings)
+{
+  using Split = ResolutionSplit;
+  const Names<Split> names = { { "square", Split::SQUARE }, { "critical", Split::CRITICAL },
+    { "automatic", Split::AUTOMATIC } };
+  const std::optional<double> ratio = ToNumber(text);
+  if (ratio && *ratio >= 1.0 / 16 && *ratio <= 16)
+  {
+    settings.SplitRatio = ratio;
+    return;
+  }
+  for (const auto& name : names)
+  {
+    if (text == name.first)
+    {
+      settings.Split = name.second;
+      return;
+    }
+  }
+  Refuse(option, text, "square, critical, automatic, or a ratio from 1/16 to 16");
+}
 }

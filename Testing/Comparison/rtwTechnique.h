@@ -69,6 +69,14 @@ enum class LightPlaneTurn
 };
 
 /// Of perspective; as vtkPerspectiveShadowMapPass has them.
+enum class ResolutionSplit
+{
+  SQUARE,
+  CRITICAL,
+  AUTOMATIC
+};
+
+/// Likewise.
 enum class Perspective
 {
   PSM,
@@ -149,6 +157,8 @@ struct TechniqueSettings
   std::optional<Perspective> Parameterization;
   std::optional<double> NearDistance; // n' of perspective
   std::optional<double> Eta;
+  std::optional<ResolutionSplit> Split;
+  std::optional<double> SplitRatio;
   std::optional<double> FocusPoint;
   std::optional<GridWarp> Grid;
   std::optional<int> PixelSamples;               // 1, 4 or 8

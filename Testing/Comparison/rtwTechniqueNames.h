@@ -31,6 +31,9 @@ std::vector<Importance> ReadImportance(const std::string& option, const std::str
 /// psm, lispsm, tsm, none, or n' itself.
 void ReadPerspective(
   const std::string& option, const std::string& text, TechniqueSettings& settings);
+/// square, critical, automatic, or a ratio.
+void ReadResolutionSplit(
+  const std::string& option, const std::string& text, TechniqueSettings& settings);
 }
 
 #endif

@@ -127,6 +127,14 @@ class TestSwitch(unittest.TestCase):
         for word in ("nearest", "bilinear", "BILINEAR", "pcf", "soft"):
             shadows = rtwshadows.enable_shadows(plotter, filter=word)
             self.assertEqual(shadows.GetFilter(), getattr(shadows, word.upper()))
+        for word in ("square", "critical", "automatic"):
+            shadows = rtwshadows.enable_shadows(
+                plotter, "perspective", 128, resolution_split=word)
+            self.assertEqual(shadows.GetResolutionSplit(), getattr(shadows, word.upper()))
+        shadows = rtwshadows.enable_shadows(plotter, "perspective", 128, resolution_ratio=0.5)
+        self.assertEqual(shadows.GetResolutionSplit(), shadows.BY_RATIO)
+        plotter.picture()
+        self.assertEqual(shadows.GetShadowMapImage(0, 0).GetDimensions(), (90, 181, 1))
 
     def test_perspective(self):
         plotter = Plotter()

@@ -84,12 +84,12 @@ TexelFunction TexelsOf(vtkAdaptiveShadowMapPass* pass, int light, int layer)
   {
     toPlane[i % 4][i / 4] = matrix->GetElement(i / 4, i % 4);
   }
-  const double side = map->GetDimensions()[0];
+  const glm::dvec2 size(map->GetDimensions()[0], map->GetDimensions()[1]);
   const auto twin = TwinOf(warp);
   return [=](const glm::dvec3& world) {
     const glm::dvec4 p = toPlane * glm::dvec4(world, 1);
     // Behind a spot there is no map.
-    return p.w > 0 ? twin(glm::dvec2(p) / p.w) * side
+    return p.w > 0 ? twin(glm::dvec2(p) / p.w) * size
                    : glm::dvec2(std::numeric_limits<double>::quiet_NaN());
   };
 }

@@ -173,10 +173,10 @@ public:
         const double at[4] = { sample.Position.x, sample.Position.y, sample.Position.z, 1 };
         double p[4];
         matrix->MultiplyPoint(at, p);
-        const int last = map->GetDimensions()[0] - 1;
+        const int* const size = map->GetDimensions();
         ++lit;
         // Some lie a little beside it, because the view is sampled for its focus.
-        if (texel.x >= 0 && texel.y >= 0 && texel.x <= last && texel.y <= last)
+        if (texel.x >= 0 && texel.y >= 0 && texel.x < size[0] && texel.y < size[1])
         {
           const float depth = *static_cast<float*>(map->GetScalarPointer(texel.x, texel.y, 0));
           same += std::abs(depth - p[2] / p[3]) < 2e-3;

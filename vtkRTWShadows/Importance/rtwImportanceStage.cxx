@@ -272,7 +272,7 @@ void ImportanceStage::Collect(const AnalysisInput& input, int layer) const
 {
   if (this->InForce.Forward)
   {
-    const int side = input.LightImages ? input.LightImages->GetResolution() : 0;
+    const int side = input.LightImages ? input.LightImages->GetSize().x : 0;
     Dispatch(Groups(side, Group), Groups(side, Group));
     return;
   }

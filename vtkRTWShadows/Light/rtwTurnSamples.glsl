@@ -6,7 +6,7 @@ layout(std430, binding = 0) buffer Samples
 {
   uint rtwCount;
   uint rtwEdgeCount;
-  vec4 rtwListed[]; // samples: place and step to the right; step above; then edges: likewise, and their normal; their number
+  vec4 rtwListed[]; // samples: place and step to the right; step above; then edges: likewise, and their normal; their number, where they lie in view coordinates
 };
 uniform sampler2DArray rtwMask; // of those samples
 uniform int rtwHasMask;
@@ -19,6 +19,7 @@ struct Listed
 {
   bool used;
   vec2 place, dx, dy;
+  vec3 position;
 };
 
 // As an analysis has it: what faces both viewer and light is seen the other way round by the latter.
@@ -28,6 +29,7 @@ Listed rtwList(ivec2 pixel)
   vec3 here = rtwOnLight(plane.here);
   Listed s;
   s.place = here.xy;
+  s.position = plane.here;
   s.dx = rtwOnLight(plane.right).xy - here.xy;
   s.dy = rtwOnLight(plane.above).xy - here.xy;
   s.used = plane.seen && s.dx.x * s.dy.y - s.dx.y * s.dy.x < 0.0 && here.z > 0.0 && rtwReached(here.xy);
@@ -42,7 +44,7 @@ void rtwAddEdge(Listed s, vec2 normal, uint number)
     uint place = 2u * uint(rtwSlots) + 3u * slot;
     rtwListed[place] = vec4(s.place, s.dx);
     rtwListed[place + 1u] = vec4(s.dy, normal);
-    rtwListed[place + 2u] = vec4(float(number));
+    rtwListed[place + 2u] = vec4(float(number), s.position);
   }
 }
 

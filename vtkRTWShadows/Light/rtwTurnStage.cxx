@@ -65,7 +65,6 @@ void TurnStage::Start(
   {
     turns += light.By.size();
   }
-  this->Samples.Reserve(BytesOfHeader + Slots * (BytesOfSample + BytesOfEdge));
   this->Errors.Reserve(turns * sizeof(float));
   int first = 0;
   for (std::size_t i = 0; i < lights.size(); ++i)
@@ -86,6 +85,7 @@ void TurnStage::List(const LightFrame& frame, int light, const TurnInput& input)
   {
     ++step;
   }
+  this->Samples.Reserve(BytesOfHeader + Slots * (BytesOfSample + BytesOfEdge));
   const unsigned int none[2] = { 0, 0 };
   this->Samples.Write(0, none, sizeof(none));
   this->Samples.BindStorage(0);
@@ -109,6 +109,12 @@ void TurnStage::List(const LightFrame& frame, int light, const TurnInput& input)
   }
 }
 
+void TurnStage::BindList(const Program& program) const
+{
+  this->Samples.BindStorage(0);
+  program.Set("rtwSlots", Slots);
+}
+
 void TurnStage::Compare(const TurnedLight& light, int first, const TurnInput& input)
 {
   std::vector<float> turns;
@@ -118,13 +124,12 @@ void TurnStage::Compare(const TurnedLight& light, int first, const TurnInput& in
     turns.push_back(float(std::sin(by)));
   }
   this->Comparing.Use();
-  this->Samples.BindStorage(0);
+  this->BindList(this->Comparing);
   this->Errors.BindStorage(1);
   glUniform2fv(
     this->Comparing.Location("rtwTurns"), static_cast<GLsizei>(light.By.size()), turns.data());
   SetRectangles(this->Comparing, "rtwKept", light.Kept);
   SetRectangles(this->Comparing, "rtwBounds", light.Bounds);
-  this->Comparing.Set("rtwSlots", Slots);
   this->Comparing.Set("rtwFirstError", first);
   this->Comparing.Set("rtwAdapts", input.Adapts ? 1 : 0);
   this->Comparing.Set("rtwTexels", float(input.Texels));

@@ -46,11 +46,14 @@ public:
   /// Starts to find the errors, or areas, of all turns of each light: the answer will be floats,
   /// one a turn, one after another, in any unit.
   void Start(const std::vector<TurnedLight>& lights, const TurnInput& input, Readback& answer);
+  /// Lists samples, and edges of the mask, of a light, as rtwTurnSamples.glsl has them.
+  void List(const LightFrame& frame, int light, const TurnInput& input);
+  /// Gives a program that list.
+  void BindList(const Program& program) const;
   void Release();
   void Abandon();
 
 private:
-  void List(const LightFrame& frame, int light, const TurnInput& input);
   void Compare(const TurnedLight& light, int first, const TurnInput& input);
 
   Program Listing, Comparing;

@@ -74,10 +74,10 @@ bool rtwSetBounds(inout Caster t)
 // The first and last texel along each axis whose centre lies in bounds on the map.
 ivec4 rtwTexels(vec4 bounds)
 {
-  float side = float(rtwWarpSize.y);
-  vec2 first = ceil(clamp(bounds.xy, 0.0, 1.0) * side - 0.5 - MARGIN);
-  vec2 last = floor(clamp(bounds.zw, 0.0, 1.0) * side - 0.5 + MARGIN);
-  return ivec4(max(first, 0.0), min(last, side - 1.0));
+  vec2 size = vec2(rtwMapSize);
+  vec2 first = ceil(clamp(bounds.xy, 0.0, 1.0) * size - 0.5 - MARGIN);
+  vec2 last = floor(clamp(bounds.zw, 0.0, 1.0) * size - 0.5 + MARGIN);
+  return ivec4(max(first, 0.0), min(last, size - 1.0));
 }
 
 // Of a triangle of the cluster.

@@ -10,7 +10,7 @@ bool LightImages::Build()
 
 void LightImages::Start(int size, int lights, const WarpTable& focused)
 {
-  this->Images.Allocate(size, lights);
+  this->Images.Allocate(glm::ivec2(size), lights);
   this->Table.Allocate(1, size, lights, 0);
   this->Table.CopyFocus(focused, lights);
 }

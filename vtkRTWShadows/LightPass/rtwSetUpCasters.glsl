@@ -77,13 +77,14 @@ void rtwDrawBent(Caster t, CasterPlane p, uint place, uint caster, vec2 u[3], ve
 // that. Of a fine mesh most bounds hold few centres, and half of them lie beside the triangle.
 bool rtwHidesACentre(vec2 u[3], vec2 bend)
 {
-  vec2 stray = bend + MARGIN / float(rtwWarpSize.y);
+  vec2 texel = 1.0 / vec2(rtwMapSize);
+  vec2 stray = bend + MARGIN * texel;
   ivec4 texels = rtwTexels(vec4(min(u[0], min(u[1], u[2])) - stray, max(u[0], max(u[1], u[2])) + stray));
   bool few = all(lessThan(texels.zw - texels.xy, ivec2(2)));
   float turn = (u[1].x - u[0].x) * (u[2].y - u[0].y) - (u[1].y - u[0].y) * (u[2].x - u[0].x) < 0.0 ? -1.0 : 1.0;
   bvec4 beside = bvec4(false);
-  vec2 first = (vec2(texels.xy) + 0.5) / float(rtwWarpSize.y);
-  vec2 last = (vec2(texels.zw) + 0.5) / float(rtwWarpSize.y);
+  vec2 first = (vec2(texels.xy) + 0.5) * texel;
+  vec2 last = (vec2(texels.zw) + 0.5) * texel;
   for (int i = 0; i < 3; ++i)
   {
     vec2 along = u[(i + 1) % 3] - u[i];

@@ -1,20 +1,21 @@
 // The aliasing error m = w'_l / w'_i: how wide a texel is on a surface, beside a pixel (Lloyd et al. 2006, equation 1, the exact form).
 // A pixel is as wide along s and t as the ellipse that its round beam becomes on the map, where a texel is 1 wide.
 
-// What a point moves by to the pixel on the right, and to the one above, on a layer's map of so many units a side.
-mat2 rtwMovesOnMap(int layer, MapSample m, float side)
+// What a point moves by to the pixel on the right, and to the one above, on a layer's map of so many units along s and t.
+mat2 rtwMovesOnMap(int layer, MapSample m, vec2 size)
 {
-  return side * (rtwWarpSlope(layer, m.q) * m.moves);
+  mat2 moves = rtwWarpSlope(layer, m.q) * m.moves;
+  return mat2(size * moves[0], size * moves[1]);
 }
 
 // The extent of that ellipse.
-vec2 rtwPixelOnMap(MapSample m, float side)
+vec2 rtwPixelOnMap(MapSample m, vec2 size)
 {
-  mat2 moves = rtwMovesOnMap(m.layer, m, side);
+  mat2 moves = rtwMovesOnMap(m.layer, m, size);
   return vec2(length(vec2(moves[0].x, moves[1].x)), length(vec2(moves[0].y, moves[1].y)));
 }
 
 vec2 rtwAliasing(MapSample m)
 {
-  return 1.0 / max(rtwPixelOnMap(m, float(rtwWarpSize.y)), 1e-30);
+  return 1.0 / max(rtwPixelOnMap(m, vec2(rtwMapSize)), 1e-30);
 }

@@ -45,7 +45,7 @@ vec2 rtwLines(MapSample m, float lines, float width)
 {
   vec2 at = lines * rtwWarp(m.layer, m.q);
   vec2 nearest = floor(at + 0.5);
-  vec2 pixel = max(rtwPixelOnMap(m, lines), 1e-30);
+  vec2 pixel = max(rtwPixelOnMap(m, vec2(lines)), 1e-30);
   vec2 cover = clamp(0.5 * width + 0.5 - abs(at - nearest) / pixel, 0.0, 1.0);
   cover *= vec2(greaterThanEqual(nearest, vec2(0.0))) * vec2(lessThanEqual(nearest, vec2(lines)));
   return cover * (1.0 - smoothstep(0.6, 1.2, width * pixel));

@@ -1,18 +1,18 @@
 // The decisions of neighbouring texels become one: 1 lit, 0 in shadow.
 float rtwNearest(int layer, rtwReceiver r)
 {
-  int last = rtwWarpSize.y - 1;
-  vec2 at = rtwWarp(layer, r.q.xy) * float(rtwWarpSize.y);
-  ivec2 texel = clamp(ivec2(floor(at)), 0, last);
+  ivec2 last = rtwMapSize - 1;
+  vec2 at = rtwWarp(layer, r.q.xy) * vec2(rtwMapSize);
+  ivec2 texel = clamp(ivec2(floor(at)), ivec2(0), last);
   vec2 centre = rtwTexelCentre(layer, texel);
   return 1.0 - rtwOccluded(layer, texel, centre, r, rtwSlope(layer, texel), 0.0);
 }
 
 float rtwBilinear(int layer, rtwReceiver r)
 {
-  int last = rtwWarpSize.y - 1;
-  vec2 at = rtwWarp(layer, r.q.xy) * float(rtwWarpSize.y);
-  ivec2 corner = clamp(ivec2(floor(at - 0.5)), 0, last - 1);
+  ivec2 last = rtwMapSize - 1;
+  vec2 at = rtwWarp(layer, r.q.xy) * vec2(rtwMapSize);
+  ivec2 corner = clamp(ivec2(floor(at - 0.5)), ivec2(0), last - 1);
   ivec2 right = corner + ivec2(1, 0);
   ivec2 above = corner + ivec2(0, 1);
   vec2 f = clamp(at - 0.5 - vec2(corner), 0.0, 1.0);

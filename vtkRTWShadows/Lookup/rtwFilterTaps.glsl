@@ -30,7 +30,7 @@ float rtwNoise(vec2 pixel)
 rtwKernel rtwMakeKernel(int light, int layer, vec4 focus, rtwReceiver r, float w)
 {
   float reach = rtwTaps[light].w + 1.0; // as BILINEAR's, whose radius is 0
-  vec2 at = rtwWarp(layer, r.q.xy) * float(rtwWarpSize.y);
+  vec2 at = rtwWarp(layer, r.q.xy) * vec2(rtwMapSize);
   float spacing = ceil(reach / RTW_TAPS_A_RADIUS - 1e-3);
   return rtwKernel(at, vec2(reach), vec2(spacing), vec2(0.0), min(rtwTaps[light].w, 1.0));
 }
@@ -49,8 +49,8 @@ vec2 rtwTexelOf(int layer, vec2 tap)
 rtwKernel rtwMakeKernel(int light, int layer, vec4 focus, rtwReceiver r, float w)
 {
   vec4 taps = rtwTaps[light];
-  ivec2 texel = ivec2(rtwWarp(layer, r.q.xy) * float(rtwWarpSize.y));
-  TexelCentres c = rtwTexelCentres(layer, clamp(texel, 0, rtwWarpSize.y - 1));
+  ivec2 texel = ivec2(rtwWarp(layer, r.q.xy) * vec2(rtwMapSize));
+  TexelCentres c = rtwTexelCentres(layer, clamp(texel, ivec2(0), rtwMapSize - 1));
   // Less than a texel would show the texels.
   vec2 reach = max(vec2(taps.w / w), (abs(c.right - c.here) + abs(c.above - c.here)) / focus.yw);
   // In few steps, because a lattice that differs from pixel to pixel is noise.
@@ -67,7 +67,7 @@ vec2 rtwOnLattice(vec2 place, rtwKernel k)
 
 vec2 rtwTexelOf(int layer, vec2 tap)
 {
-  return rtwWarp(layer, tap) * float(rtwWarpSize.y);
+  return rtwWarp(layer, tap) * vec2(rtwMapSize);
 }
 #endif
 
@@ -112,7 +112,7 @@ float rtwFilteredByTaps(int layer, rtwReceiver r, rtwKernel k)
         continue;
       }
       ivec2 texel = ivec2(floor(rtwTexelOf(layer, k.at + away * k.spacing)));
-      ivec2 held = clamp(texel, 0, rtwWarpSize.y - 1);
+      ivec2 held = clamp(texel, ivec2(0), rtwMapSize - 1);
       // Beyond the map nothing is known.
       weight = held == texel ? weight : 0.0;
       vec2 centre = rtwTexelCentre(layer, held);

@@ -20,7 +20,7 @@ vec3 rtwSumsOf(ivec2 pixel)
   }
   bool others = rtwOtherLayers > 0 && !rtwBesideEdge(rtwOwnMask, rtwMaskLayer, pixel);
   MapSample m = rtwLoadMapSample(pixel);
-  mat2 moves = rtwMovesOnMap(others ? m.layer + rtwOtherLayers : m.layer, m, float(rtwWarpSize.y));
+  mat2 moves = rtwMovesOnMap(others ? m.layer + rtwOtherLayers : m.layer, m, vec2(rtwMapSize));
   float moved = rtwMisplaced(moves[0], moves[1], rtwEdgeNormal(rtwMask, rtwMaskLayer, pixel), vec2(1.0));
   return vec3(moved < WIDEST ? moved : WIDEST, 1.0, 1.0);
 }

@@ -312,6 +312,7 @@ void ReceiverUniforms::Set(vtkShaderProgram* program) const
     const int size[] = { this->Cells, this->Resolution };
     program->SetUniformi("rtwWarpTable", this->WarpUnit);
     program->SetUniform2i("rtwWarpSize", size);
+    program->SetUniform2i("rtwMapSize", &this->MapSize.x);
   }
   if (program->IsUniformUsed("rtwWarpGrid"))
   {

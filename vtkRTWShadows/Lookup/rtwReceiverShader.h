@@ -99,6 +99,7 @@ struct ReceiverUniforms
   float HiddenBeyond = 0;
   int GridLayers = 0;
   int Cells = 1, Resolution = 1;
+  glm::ivec2 MapSize{ 1 };
   int OriginX = 0, OriginY = 0; ///< of the viewport
   glm::vec2 DepthToSample{ 1, 0 };
   glm::vec3 RayStep{ 0 };

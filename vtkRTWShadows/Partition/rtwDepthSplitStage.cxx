@@ -65,7 +65,6 @@ std::string DepthSplitStage::GetLog() const
   return this->Binning.GetLog() + this->Splitting.GetLog() + this->Writing.GetLog();
 }
 
-// Whether splits don't go by view samples.
 bool DepthSplitStage::IsFixed(const PartitionInput& input) const
 {
   return this->Settings().Steady || !input.FocusOnView;

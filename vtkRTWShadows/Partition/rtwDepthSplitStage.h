@@ -37,6 +37,7 @@ public:
   bool NeedsViewSamples() const override { return !this->Settings().Steady; }
   bool Build() override;
   std::string GetLog() const override;
+  bool IsFixed(const PartitionInput& input) const override;
   void Split(const PartitionInput& input, WarpTable& table) override;
   std::optional<Rectangle> FocusOf(
     const LightFrame& frame, const PartitionInput& input) const override;
@@ -44,7 +45,6 @@ public:
   void Abandon() override;
 
 private:
-  bool IsFixed(const PartitionInput& input) const;
   std::vector<double> FixedBorders(const PartitionInput& input) const;
   void WriteFixed(const PartitionInput& input, WarpTable& table) const;
   void SplitBySamples(const PartitionInput& input, const WarpTable& table);

@@ -47,6 +47,8 @@ public:
   /// Compiles; false, with the reason in GetLog(), where the driver can't.
   virtual bool Build() = 0;
   virtual std::string GetLog() const = 0;
+  /// Whether depths don't go by view samples, and layers move by whole texels, which are square.
+  virtual bool IsFixed(const PartitionInput&) const { return false; }
   /// Writes each layer's interval into the table; layers of a light stand together.
   virtual void Split(const PartitionInput& input, WarpTable& table) = 0;
   /// What the layer of a frame has to cover, where that doesn't go by view samples.

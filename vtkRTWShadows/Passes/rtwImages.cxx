@@ -33,7 +33,7 @@ vtkSmartPointer<vtkImageData> ReadMask(const Texture& mask, int layer)
 vtkSmartPointer<vtkImageData> ReadShadowMap(const DenseLayers& layers, int layer)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(layers.GetResolution(), layers.GetResolution(), 1);
+  image->SetDimensions(layers.GetSize().x, layers.GetSize().y, 1);
   image->AllocateScalars(VTK_FLOAT, 1);
   layers.GetDepths().ReadFloats(layer, static_cast<float*>(image->GetScalarPointer()));
   return image;

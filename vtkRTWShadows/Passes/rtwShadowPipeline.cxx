@@ -240,11 +240,14 @@ bool ShadowPipeline::Update(const View& view, const FrameScene& scene,
   const Turning turn = this->TurningOf(options);
   this->Turns.Begin(
     turn, options.Viewer, lights, view, this->FindMinimalFrusta(scene, lights, turn));
+  this->Splits.Begin(
+    this->OwnDrawing && this->Warp->SplitsByError(), options.Viewer, options.Signature);
   // Which changes the signature.
   this->Incomplete = (this->Source && this->Source->WasIncomplete()) || this->Incomplete;
   const std::uint64_t signature = this->Sign(scene, lights, options);
   if (options.Caching && signature == this->LastSignature && this->Settled &&
-    this->Turns.GetTurns() == this->DrawnTurns && !this->Turns.IsUndecided())
+    this->Turns.GetTurns() == this->DrawnTurns && !this->Turns.IsUndecided() &&
+    this->Splits.GetRatio() == this->DrawnRatio)
   {
     // What no map depends on may have changed all the same.
     for (std::size_t i = 0; i < this->Frames.size(); ++i)
@@ -290,7 +293,7 @@ glm::dvec2 ShadowPipeline::ReadMaximumEffectiveResolution(int layer) const
   const Rectangle& whole = this->LayerFrames[layer].Bounds;
   const glm::dvec2 share = (whole.High - whole.Low) / (focus.High - focus.Low);
   const WarpStage& warp = this->OwnDrawing ? *this->Warp : *this->Fallback;
-  return share * warp.ReadGreatestDensity(layer) * double(this->Table.GetResolution());
+  return share * warp.ReadGreatestDensity(layer) * glm::dvec2(this->Table.GetMapSize());
 }
 
 void ShadowPipeline::Abandon()
@@ -304,6 +307,7 @@ void ShadowPipeline::Abandon()
   this->Store.Abandon();
   this->Last.Abandon();
   this->Turns.Abandon();
+  this->Splits.Abandon();
   this->Sampler.Abandon();
   this->Focus.Abandon();
   this->Casters.Abandon();
@@ -337,6 +341,7 @@ void ShadowPipeline::Release(vtkOpenGLRenderWindow* window)
   this->Store.Release();
   this->Last.Release();
   this->Turns.Release();
+  this->Splits.Release();
   this->Sampler.Release();
   this->Focus.Release();
   this->Casters.Release();

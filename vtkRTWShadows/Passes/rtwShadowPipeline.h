@@ -20,6 +20,7 @@
 #include "rtwMinimalFrustum.h"
 #include "rtwPartitionStage.h"
 #include "rtwReceiverShader.h"
+#include "rtwSplitChoice.h"
 #include "rtwStageTimers.h"
 #include "rtwStatistics.h"
 #include "rtwView.h"
@@ -206,6 +207,10 @@ private:
     const LightFrame& frame, const FrameScene& scene, const PipelineOptions& options);
   void DrawLayer(StateGuard& guard, int layer, const FrameScene& scene,
     const PipelineOptions& options, const MapperDrawing& mappers, bool own);
+  bool CanSplit(const PipelineOptions& options) const;
+  glm::ivec2 ChooseMapSize(const FrameScene& scene, const PipelineOptions& options) const;
+  void AllocateMaps(const FrameScene& scene, const PipelineOptions& options);
+  void AskForSplit(const PipelineOptions& options);
   bool NeedsViewSamples(const PipelineOptions& options) const;
   bool ResampleLastFrame(const PipelineOptions& options);
   /// Of the samples in use: resampling leaves out the others.
@@ -248,6 +253,8 @@ private:
   std::vector<double> DrawnTurns; ///< of the layers as they are
   FocusStage Focus;
   CasterDrawing Casters;
+  SplitChoice Splits;
+  double DrawnRatio = 1; ///< of texels along s and t
   DeepestSamples Deepest;
   LightImages Images;
   MaskStage Masking;

@@ -99,10 +99,10 @@ void ShadowPipeline::Draw(const FrameScene& scene, const std::vector<ShadowLight
   this->MakeFrames(scene, lights);
   const int layers = this->CountLayers();
   this->OtherLayers = this->CountOtherLayers(scene, this->LayerFrames.size());
-  this->Layers.Allocate(options.Resolution, layers + this->OtherLayers);
   this->Table.Allocate((this->OwnDrawing ? this->Warp : this->Fallback)->GetCells(),
     options.Resolution, layers + this->OtherLayers,
     this->GetShape().Kind == WarpKind::Grid ? layers : 0);
+  this->AllocateMaps(scene, options);
   if (this->OwnDrawing)
   {
     this->Casters.Build(this->Warp->GetShape(),
@@ -121,10 +121,16 @@ void ShadowPipeline::Draw(const FrameScene& scene, const std::vector<ShadowLight
   }
   this->DrawMaps(guard, scene, options, mappers, lastMask, still);
   this->AskForTurns(scene, options, this->HasMask ? &mask : nullptr);
+  this->AskForSplit(options);
   // Of the first frame there is no better choice to wait for: it is drawn once more.
   if (this->Turns.IsUndecided() && this->Turns.Wait())
   {
     this->MakeFrames(scene, lights);
+    this->DrawMaps(guard, scene, options, mappers, lastMask, still);
+  }
+  if (this->Splits.IsUndecided() && this->Splits.Wait())
+  {
+    this->AllocateMaps(scene, options);
     this->DrawMaps(guard, scene, options, mappers, lastMask, still);
   }
   this->Counted.ShadowMemory = static_cast<std::int64_t>(this->Layers.GetMemory() +

@@ -2,6 +2,8 @@
 // Where on the light plane each layer's map lies: its depths, its focus, and the turn to ask for.
 #include "rtwShadowPipeline.h"
 
+#include "rtwResolutionSplit.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -59,10 +61,38 @@ Rectangle ShadowPipeline::WithoutSamples(std::size_t light, const FilterReach& r
   return isAny ? focus : frame.Bounds;
 }
 
+bool ShadowPipeline::CanSplit(const PipelineOptions& options) const
+{
+  return this->OwnDrawing && !this->Source &&
+    !this->Partition->IsFixed(this->MakePartitionInput(options));
+}
+
+glm::ivec2 ShadowPipeline::ChooseMapSize(
+  const FrameScene& scene, const PipelineOptions& options) const
+{
+  double ratio = 1;
+  if (this->CanSplit(options))
+  {
+    ratio = this->Warp->SplitsByError()
+      ? this->Splits.GetRatio()
+      : this->Warp->ChooseTexelRatio({ this->LayerFrames, this->Viewed, scene.Low, scene.High,
+          options.Viewer, options.FocusOnView });
+  }
+  return SplitTexels(options.Resolution, ratio, this->Can.MaximumTextureSize);
+}
+
+void ShadowPipeline::AllocateMaps(const FrameScene& scene, const PipelineOptions& options)
+{
+  this->DrawnRatio = this->Splits.GetRatio();
+  this->Table.SetMapSize(this->ChooseMapSize(scene, options));
+  this->Layers.Allocate(this->Table.GetMapSize(), this->CountLayers() + this->OtherLayers);
+}
+
 FilterReach ShadowPipeline::GetReach(const PipelineOptions& options) const
 {
+  const glm::ivec2& size = this->Table.GetMapSize();
   return { options.Lookup.FilterWorld,
-    options.Lookup.FilterTexels / double(options.Resolution) +
+    options.Lookup.FilterTexels / double(std::min(size.x, size.y)) +
       (this->Resampled ? ResampledMargin : 0) };
 }
 
@@ -134,6 +164,25 @@ void ShadowPipeline::FindFocus(const FrameScene& scene, const PipelineOptions& o
   {
     this->Table.WriteIdentity(this->CountLayers() + layer);
   }
+}
+
+// Likewise for a frame to come; without a mask there is nothing to tell edges by.
+void ShadowPipeline::AskForSplit(const PipelineOptions& options)
+{
+  if (!this->HasMask || !this->CanSplit(options) ||
+    !this->Splits.IsToAsk(this->LastSignature, this->GetShape()))
+  {
+    return;
+  }
+  StageTimers::Scope timer(this->Timers, "resolution split");
+  std::vector<DebuggedMap> lights;
+  for (std::size_t light = 0; light < this->Frames.size(); ++light)
+  {
+    lights.push_back(this->MapOf(static_cast<int>(light)));
+  }
+  this->Splits.Ask(lights,
+    { this->Sampler, this->GetStride(options), &this->Masking.GetMask(), options.Resolution },
+    this->LastSignature);
 }
 
 // For a frame to come.

@@ -9,6 +9,7 @@ ReceiverUniforms ShadowPipeline::MakeUniforms(const PipelineOptions& options) co
   ReceiverUniforms uniforms;
   uniforms.Cells = this->Table.GetCells();
   uniforms.Resolution = this->Table.GetResolution();
+  uniforms.MapSize = this->Table.GetMapSize();
   uniforms.GridLayers = this->Table.GetGridLayers();
   uniforms.OtherLayers = this->OtherLayers;
   uniforms.OriginX = this->Viewed.OriginX;

@@ -7,7 +7,8 @@
 vtkStandardNewMacro(vtkPerspectiveShadowMapPass);
 
 static_assert(int(vtkPerspectiveShadowMapPass::BY_NEAR_DISTANCE) ==
-    int(vtkPerspectiveShadowMapWarp::BY_NEAR_DISTANCE),
+      int(vtkPerspectiveShadowMapWarp::BY_NEAR_DISTANCE) &&
+    int(vtkPerspectiveShadowMapPass::BY_RATIO) == int(vtkPerspectiveShadowMapWarp::BY_RATIO),
   "the enumerations end alike");
 
 vtkPerspectiveShadowMapPass::vtkPerspectiveShadowMapPass()
@@ -60,6 +61,26 @@ void vtkPerspectiveShadowMapPass::SetFocusPoint(double share)
 double vtkPerspectiveShadowMapPass::GetFocusPoint()
 {
   return this->Perspective->GetFocusPoint();
+}
+
+void vtkPerspectiveShadowMapPass::SetResolutionSplit(int split)
+{
+  this->Perspective->SetResolutionSplit(split);
+}
+
+int vtkPerspectiveShadowMapPass::GetResolutionSplit()
+{
+  return this->Perspective->GetResolutionSplit();
+}
+
+void vtkPerspectiveShadowMapPass::SetResolutionRatio(double ratio)
+{
+  this->Perspective->SetResolutionRatio(ratio);
+}
+
+double vtkPerspectiveShadowMapPass::GetResolutionRatio()
+{
+  return this->Perspective->GetResolutionRatio();
 }
 
 void vtkPerspectiveShadowMapPass::PrintSelf(ostream& os, vtkIndent indent)

@@ -36,6 +36,17 @@ public:
     BY_NEAR_DISTANCE = 5
   };
 
+  /**
+   * As vtkPerspectiveShadowMapWarp::ResolutionSplits.
+   */
+  enum ResolutionSplits
+  {
+    SQUARE = 0,
+    CRITICAL = 1,
+    AUTOMATIC = 2,
+    BY_RATIO = 3
+  };
+
   ///@{
   /**
    * The settings of the pass's warp, for short: see vtkPerspectiveShadowMapWarp for units, ranges
@@ -55,6 +66,14 @@ public:
   double GetNearDistance();
   void SetFocusPoint(double share);
   double GetFocusPoint();
+  void SetResolutionSplit(int split);
+  void SetResolutionSplitToSquare() { this->SetResolutionSplit(SQUARE); }
+  void SetResolutionSplitToCritical() { this->SetResolutionSplit(CRITICAL); }
+  void SetResolutionSplitToAutomatic() { this->SetResolutionSplit(AUTOMATIC); }
+  void SetResolutionSplitToByRatio() { this->SetResolutionSplit(BY_RATIO); }
+  int GetResolutionSplit();
+  void SetResolutionRatio(double ratio);
+  double GetResolutionRatio();
   ///@}
 
   /**

@@ -3,10 +3,10 @@
 
 namespace rtw
 {
-void DenseLayers::Allocate(int resolution, int layers)
+void DenseLayers::Allocate(const glm::ivec2& size, int layers)
 {
-  this->Depths.Allocate(Format::Depth, resolution, resolution, layers);
-  this->Gradients.Allocate(Format::Half2, resolution, resolution, layers);
+  this->Depths.Allocate(Format::Depth, size.x, size.y, layers);
+  this->Gradients.Allocate(Format::Half2, size.x, size.y, layers);
 }
 
 bool DenseLayers::BindTarget(int layer)

@@ -6,6 +6,8 @@
 #include "rtwFramebuffer.h"
 #include "rtwTexture.h"
 
+#include <glm/glm.hpp>
+
 #include <cstddef>
 
 namespace rtw
@@ -13,13 +15,14 @@ namespace rtw
 class DenseLayers
 {
 public:
-  void Allocate(int resolution, int layers);
+  /// Of so many texels along s and t.
+  void Allocate(const glm::ivec2& size, int layers);
   /// Makes a layer the target of drawing, cleared: nothing casts yet.
   bool BindTarget(int layer);
   bool BindTargetAgain(int layer);
   const Texture& GetDepths() const { return this->Depths; }
   const Texture& GetGradients() const { return this->Gradients; }
-  int GetResolution() const { return this->Depths.GetWidth(); }
+  glm::ivec2 GetSize() const { return { this->Depths.GetWidth(), this->Depths.GetHeight() }; }
   int GetNumberOfLayers() const { return this->Depths.GetLayers(); }
   std::size_t GetMemory() const { return this->Depths.GetMemory() + this->Gradients.GetMemory(); }
   void Release();

@@ -23,7 +23,7 @@ uniform int rtwChoice;  // of n': by 0 η, 1 itself, 2 what lies at the focus li
 uniform float rtwValue; // of that
 uniform vec3 rtwView;   // sine between view and light; world units a unit of the light plane there, 0 for no warp; s of the eye
 uniform vec4 rtwAlso;   // on the light plane, what the map has to hold besides samples: low, high
-uniform float rtwMargin; // of the map's side, for filters
+uniform vec2 rtwMargin; // of the map along s and t, for filters
 const float FOCUS_LINE = 0.8;    // of the map, up to where the focus point lies (Lloyd et al. 2006, section 4.1)
 const float STRONGEST = 1e4;     // (f' - n') / n'
 const float ROUNDING = 1e-4;     // of the map's side
@@ -78,7 +78,7 @@ void rtwWriteStrength()
   vec2 t = rtwTable[rtwPlaceOf(1, rtwWarpSize.x)];
   float strength = rtwStrength(1.0 / t.y);
   // A filter's texels are wider at the far end than they are on the whole.
-  float wider = 1.0 + rtwMargin * strength;
+  float wider = 1.0 + rtwMargin.y * strength;
   rtwTable[rtwPlaceOf(1, rtwWarpSize.x)].y = t.y / wider;
   rtwTable[rtwPlaceOf(0, 0)] = vec2(0.0, 1.0);
   rtwTable[rtwPlaceOf(1, 0)] = vec2(strength * wider, (rtwView.z - s.x) * s.y);
@@ -108,7 +108,7 @@ void rtwWriteEnds()
     float column = k.y + (q.x - k.y) / (1.0 + k.x * q.y);
     ends = vec2(min(ends.x, column), max(ends.y, column));
   }
-  float margin = max((ROUNDING + rtwMargin) * (ends.y - ends.x), 1e-6);
+  float margin = max((ROUNDING + rtwMargin.x) * (ends.y - ends.x), 1e-6);
   ends += vec2(-margin, margin);
   rtwTable[rtwPlaceOf(0, 0)] = ends;
   rtwReport[rtwLayer] = vec4(ends, k);

@@ -119,9 +119,4 @@ glm::dvec2 PerspectiveWarp::Inverse(const glm::dvec2& onMap) const
     this->EyeS + (1 + this->Strength) * scale * (column - this->EyeS), onMap.y * scale);
   return this->Focus.Low + q * (this->Focus.High - this->Focus.Low);
 }
-
-glm::dvec2 SplitResolution(double texels, double ms, double mt)
-{
-  return { std::sqrt(texels * ms / mt), std::sqrt(texels * mt / ms) };
-}
 }

@@ -67,10 +67,6 @@ struct PerspectiveWarp
 /// (Wimmer et al. 2004), f what the extent amounts to along the view.
 double PerspectiveStrength(
   const PerspectiveChoice& choice, const ViewOnLight& view, double nearest, double extent);
-
-/// Texels along s and t of a map of so many in all, whose largest errors along them are Ms and Mt
-/// at one texel a side each: in their ratio, so that the errors become equal (Equations 13 and 14).
-glm::dvec2 SplitResolution(double texels, double ms, double mt);
 }
 
 #endif

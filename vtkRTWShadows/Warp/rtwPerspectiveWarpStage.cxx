@@ -46,9 +46,19 @@ void Set(const Program& program, const char* uniform, const glm::vec4& v)
 }
 }
 
-PerspectiveWarpStage::PerspectiveWarpStage(std::function<PerspectiveChoice()> choice)
+PerspectiveWarpStage::PerspectiveWarpStage(
+  std::function<PerspectiveChoice()> choice, std::function<SplitSettings()> split)
   : Choice(std::move(choice))
+  , Split(std::move(split))
 {
+}
+
+double PerspectiveWarpStage::ChooseTexelRatio(const SplitScene& scene)
+{
+  const SplitSettings split = this->Split();
+  return split.Kind == SplitSettings::Critical
+    ? this->Ratio.Choose(scene.Viewer, CriticalRatio(this->Choice(), scene))
+    : split.Ratio;
 }
 
 WarpShape PerspectiveWarpStage::GetShape() const
@@ -145,9 +155,10 @@ void PerspectiveWarpStage::Write(
   this->Building.Set("rtwView", static_cast<float>(view.Sine), static_cast<float>(view.Unit),
     static_cast<float>(view.EyeS));
   Set(this->Building, "rtwAlso", ToVector(this->Focused ? input.Unsampled[layer] : frame.Bounds));
-  this->Building.Set("rtwMargin",
-    static_cast<float>(
-      input.FilterTexels / table.GetResolution() + (this->Current ? 0 : UnseenMargin)));
+  const glm::dvec2 margin =
+    input.FilterTexels / glm::dvec2(table.GetMapSize()) + (this->Current ? 0 : UnseenMargin);
+  glUniform2f(this->Building.Location("rtwMargin"), static_cast<float>(margin.x),
+    static_cast<float>(margin.y));
   Dispatch(1);
 }
 
@@ -171,6 +182,7 @@ void PerspectiveWarpStage::Release()
   this->Nearest.Release();
   this->Bounds.Release();
   this->Report.Release();
+  this->Ratio.Forget();
   this->Layers = 0;
 }
 
@@ -182,6 +194,7 @@ void PerspectiveWarpStage::Abandon()
   this->Nearest.Abandon();
   this->Bounds.Abandon();
   this->Report.Abandon();
+  this->Ratio.Forget();
   this->Layers = 0;
 }
 }

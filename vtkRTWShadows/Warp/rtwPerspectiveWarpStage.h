@@ -12,6 +12,7 @@
 #include "rtwBuffer.h"
 #include "rtwPerspectiveWarp.h"
 #include "rtwProgram.h"
+#include "rtwResolutionSplit.h"
 #include "rtwSampleBounds.h"
 #include "rtwView.h"
 #include "rtwWarpStage.h"
@@ -20,14 +21,30 @@
 
 namespace rtw
 {
+/// How texels are split between s and t.
+struct SplitSettings
+{
+  enum Kinds
+  {
+    Given,
+    Critical, ///< Equations 13 and 14
+    LeastError
+  };
+  int Kind = Given;
+  double Ratio = 1; ///< that is given
+};
+
 class PerspectiveWarpStage : public WarpStage
 {
 public:
-  explicit PerspectiveWarpStage(std::function<PerspectiveChoice()> choice);
+  PerspectiveWarpStage(
+    std::function<PerspectiveChoice()> choice, std::function<SplitSettings()> split);
   WarpShape GetShape() const override;
   bool NeedsViewSamples() const override { return true; }
   int GetCells() const override { return 1; }
   bool LiesAlongView() const override { return true; }
+  double ChooseTexelRatio(const SplitScene& scene) override;
+  bool SplitsByError() const override { return this->Split().Kind == SplitSettings::LeastError; }
   bool Build() override;
   std::string GetLog() const override;
   void Follow(const WarpFrame& frame, const WarpTable& table) override;
@@ -45,6 +62,8 @@ private:
     const WarpTable& table);
 
   std::function<PerspectiveChoice()> Choice;
+  std::function<SplitSettings()> Split;
+  SteadyRatio Ratio;
   View Viewed; ///< of the frame at work
   bool Focused = true;
   bool Current = true; ///< whether samples are of that frame

@@ -20,7 +20,8 @@ layout(std430, binding = 7) readonly buffer WarpTable
 #else
 uniform samplerBuffer rtwWarpTable;
 #endif
-uniform ivec2 rtwWarpSize; // cells of a warping function, texels of the map
+uniform ivec2 rtwWarpSize; // cells of a warping function, places of its inverse: texels of a side where the map is square
+uniform ivec2 rtwMapSize;  // texels of the map along s and t, which are as many unless the warp is perspective
 
 int rtwWarpPlace(int row, int i)
 {

@@ -25,12 +25,12 @@ vec2 rtwWarp(int layer, vec2 q)
 // Of a column of the map, its s where t is 0; of a row, t and z'. In terms that are all positive, so that nothing cancels out.
 float rtwColumnOf(vec4 p, int texel)
 {
-  return mix(p.x, p.y, (float(texel) + 0.5) / float(rtwWarpSize.y));
+  return mix(p.x, p.y, (float(texel) + 0.5) / float(rtwMapSize.x));
 }
 
 vec2 rtwRowOf(vec4 p, int texel)
 {
-  float side = float(rtwWarpSize.y);
+  float side = float(rtwMapSize.y);
   float scale = 1.0 / (1.0 + p.z * (side - float(texel) - 0.5) / side);
   return vec2((float(texel) + 0.5) / side, 1.0 + p.z) * scale;
 }

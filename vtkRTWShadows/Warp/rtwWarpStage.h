@@ -19,6 +19,7 @@ namespace rtw
 {
 class WarpTable;
 struct AnalysisInput;
+struct SplitScene;
 struct View;
 
 enum class WarpKind
@@ -59,6 +60,11 @@ public:
   virtual int GetCells() const = 0; ///< of a warping function
   /// Whether t has to lie along the view on each light plane, however it would be turned else.
   virtual bool LiesAlongView() const { return false; }
+  /// How many times as many texels along s as along t the maps of a frame are to have. Others than
+  /// 1 are for warps whose GLSL goes by rtwMapSize.
+  virtual double ChooseTexelRatio(const SplitScene&) { return 1; }
+  /// Whether that is the one with the least predicted error instead.
+  virtual bool SplitsByError() const { return false; }
   /// Texels a side of the depth image of each light that Run() looks at; 0 where it looks at none.
   virtual int GetLightImageSize() const { return 0; }
   /// Compiles; false, with the reason in GetLog(), where the driver can't.

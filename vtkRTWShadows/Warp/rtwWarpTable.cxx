@@ -26,6 +26,7 @@ void WarpTable::Allocate(int cells, int resolution, int layers, int gridLayers)
   this->GridLayers = gridLayers;
   this->Cells = cells;
   this->Resolution = resolution;
+  this->MapSize = glm::ivec2(resolution);
   this->BendLevels = 1;
   while (1 << this->BendLevels <= cells)
   {
@@ -158,6 +159,7 @@ void WarpTable::Bind(const Program& program) const
     program.Set("rtwTileLevels", this->GetTileLevels());
   }
   glUniform2i(program.Location("rtwWarpSize"), this->Cells, this->Resolution);
+  glUniform2i(program.Location("rtwMapSize"), this->MapSize.x, this->MapSize.y);
   program.Set("rtwBendLevels", this->BendLevels);
   program.SetBlock("WarpForward", UniformBinding);
   program.SetBlock("WarpInverse", UniformBinding + 1);

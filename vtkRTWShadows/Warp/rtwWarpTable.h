@@ -36,7 +36,10 @@ public:
   static const char* DefinitionOf(TableAccess access);
 
   /// The first `gridLayers` have a grid, since their warp isn't separable; then no other is warped.
+  /// Maps are square, of so many texels a side, until they have another size.
   void Allocate(int cells, int resolution, int layers, int gridLayers);
+  /// Texels along s and t of maps that aren't square, of a warp that can do with that.
+  void SetMapSize(const glm::ivec2& size) { this->MapSize = size; }
   /// Sets a layer's focus from the CPU.
   void WriteFocus(int layer, const Rectangle& focus);
   /// Takes over the focus of the first layers of another table, on the GPU.
@@ -58,7 +61,8 @@ public:
   /// Elements in a row of the table.
   int GetRowLength() const;
   int GetCells() const { return this->Cells; }
-  int GetResolution() const { return this->Resolution; }
+  int GetResolution() const { return this->Resolution; } ///< of the square with as many texels
+  const glm::ivec2& GetMapSize() const { return this->MapSize; }
   int GetBendLevels() const { return this->BendLevels; }
   /// Of a level of the pyramids that a grid has for bends.
   int GetPyramidSide(int level) const { return (this->Cells + (1 << level)) >> level; }
@@ -95,6 +99,7 @@ private:
   int GridLayers = 0;
   int Cells = 0;
   int Resolution = 0;
+  glm::ivec2 MapSize{ 0 };
   int Rows = 0;
   int BendLevels = 0;
 };

@@ -74,9 +74,55 @@ void vtkPerspectiveShadowMapWarp::SetFocusPoint(double share)
   }
 }
 
+void vtkPerspectiveShadowMapWarp::SetResolutionSplit(int split)
+{
+  if (split < SQUARE || split > BY_RATIO)
+  {
+    vtkErrorMacro("SetResolutionSplit("
+      << split << "): expected SQUARE (0), CRITICAL (1), AUTOMATIC (2) or BY_RATIO (3); keeping "
+      << this->ResolutionSplit);
+    return;
+  }
+  if (this->ResolutionSplit != split)
+  {
+    this->ResolutionSplit = split;
+    this->Modified();
+  }
+}
+
+void vtkPerspectiveShadowMapWarp::SetResolutionRatio(double ratio)
+{
+  if (!(ratio >= 1.0 / 16 && ratio <= 16))
+  {
+    vtkErrorMacro("SetResolutionRatio(" << ratio << "): expected a number from 1/16 to 16; keeping "
+                                        << this->ResolutionRatio);
+    return;
+  }
+  if (this->ResolutionRatio != ratio)
+  {
+    this->ResolutionRatio = ratio;
+    this->Modified();
+  }
+  this->SetResolutionSplit(BY_RATIO);
+}
+
 std::unique_ptr<rtw::WarpStage> vtkPerspectiveShadowMapWarp::MakeStage()
 {
-  return std::make_unique<rtw::PerspectiveWarpStage>([this] {
+  const auto split = [this] {
+    using Split = rtw::SplitSettings;
+    switch (this->ResolutionSplit)
+    {
+      case CRITICAL:
+        return Split{ Split::Critical, 1 };
+      case AUTOMATIC:
+        return Split{ Split::LeastError, 1 };
+      case BY_RATIO:
+        return Split{ Split::Given, this->ResolutionRatio };
+      default:
+        return Split{ Split::Given, 1 };
+    }
+  };
+  const auto choice = [this] {
     using Choice = rtw::PerspectiveChoice;
     switch (this->Parameterization)
     {
@@ -93,7 +139,8 @@ std::unique_ptr<rtw::WarpStage> vtkPerspectiveShadowMapWarp::MakeStage()
       default:
         return Choice{ Choice::Eta, 0 };
     }
-  });
+  };
+  return std::make_unique<rtw::PerspectiveWarpStage>(choice, split);
 }
 
 void vtkPerspectiveShadowMapWarp::PrintSelf(ostream& os, vtkIndent indent)
@@ -103,4 +150,6 @@ void vtkPerspectiveShadowMapWarp::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Eta: " << this->Eta << "\n";
   os << indent << "NearDistance: " << this->NearDistance << "\n";
   os << indent << "FocusPoint: " << this->FocusPoint << "\n";
+  os << indent << "ResolutionSplit: " << this->ResolutionSplit << "\n";
+  os << indent << "ResolutionRatio: " << this->ResolutionRatio << "\n";
 }

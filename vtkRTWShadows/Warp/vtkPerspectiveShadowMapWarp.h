@@ -92,6 +92,55 @@ public:
   vtkGetMacro(FocusPoint, double);
   ///@}
 
+  /**
+   * How a map's texels are split between s and t, of which the latter goes along the view.
+   */
+  enum ResolutionSplits
+  {
+    SQUARE = 0,    ///< as many along both
+    CRITICAL = 1,  ///< in the ratio of the critical resolution: Equations 13 and 14
+    AUTOMATIC = 2, ///< in the ratio that the least error is predicted for
+    BY_RATIO = 3   ///< that of ResolutionRatio
+  };
+
+  ///@{
+  /**
+   * One of ResolutionSplits; any other value is refused with an error. A map never has more texels
+   * than the square of the pass's Resolution, so that all splits are of one memory; all lights' and
+   * layers' maps have one size.
+   *
+   * With CRITICAL the greatest perspective aliasing errors along s and t become equal: those of
+   * Equations 9 and 10 in what the view's frustum shows of the scene's bounds, for the light's
+   * direction as it is, in the geometric mean of lights and layers. That knows nothing of surfaces:
+   * where these stand slantwise in the light, texels are as much too wide on them, and the error
+   * may grow. With AUTOMATIC they are taken into account: it is the ratio with the least error
+   * predicted, as vtkInspectableShadowMapPass::GetPredictedError has it, from the shadow edges of
+   * frames before; the first frame is drawn once more where that helps. Without a mask
+   * (multisampling, view samples of the previous frame) maps stay square.
+   *
+   * Both ratios are powers of the fourth root of 2 that stay until another is clearly better: by
+   * three quarters of such a step, or by 2 % of the error, so that nothing pops under a moving
+   * camera. Maps of layers that keep still (see vtkDepthSplitShadowMapPartition::SetStable) are
+   * square, and a side longer than the GPU's longest is as long as that.
+   * Default: AUTOMATIC.
+   */
+  virtual void SetResolutionSplit(int split);
+  vtkGetMacro(ResolutionSplit, int);
+  void SetResolutionSplitToSquare() { this->SetResolutionSplit(SQUARE); }
+  void SetResolutionSplitToCritical() { this->SetResolutionSplit(CRITICAL); }
+  void SetResolutionSplitToAutomatic() { this->SetResolutionSplit(AUTOMATIC); }
+  void SetResolutionSplitToByRatio() { this->SetResolutionSplit(BY_RATIO); }
+  ///@}
+
+  ///@{
+  /**
+   * How many times as many texels along s as along t. Setting it sets ResolutionSplit to BY_RATIO.
+   * From 1/16 to 16; anything else is refused with an error, and nothing changes. Default: 1.
+   */
+  virtual void SetResolutionRatio(double ratio);
+  vtkGetMacro(ResolutionRatio, double);
+  ///@}
+
 #ifndef __VTK_WRAP__
   std::unique_ptr<rtw::WarpStage> MakeStage() override;
 #endif
@@ -104,6 +153,8 @@ protected:
   double Eta = 0;
   double NearDistance = 1;
   double FocusPoint = 0.1;
+  int ResolutionSplit = AUTOMATIC;
+  double ResolutionRatio = 1;
 
 private:
   vtkPerspectiveShadowMapWarp(const vtkPerspectiveShadowMapWarp&) = delete;

@@ -243,6 +243,11 @@ std::vector<rtw::CommandLineOption> Entries(Options& options)
       [&](const std::string& value) { ReadPerspective("--perspective", value, settings); } },
     { "--eta", "E", "likewise, instead: -1, no warp, over 0, LiSPSM, to 1, PSM",
       [&](const std::string& value) { settings.Eta = ReadNumber("--eta", value, -1, 1); } },
+    { "--resolution-split", "S",
+      "of perspective, between s and t: square, critical (Lloyd et al. 2006, equations 13, 14), "
+      "automatic (least predicted error) or texels along s over those along t",
+      [&](
+        const std::string& value) { ReadResolutionSplit("--resolution-split", value, settings); } },
     { "--focus-point", "F",
       "of tsm, what 80 % of the map lie before, 0.001 to 1 of what is seen; default 0.1",
       [&](const std::string& value) {

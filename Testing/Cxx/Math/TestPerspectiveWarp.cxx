@@ -250,11 +250,4 @@ TEST(ViewOnLight, OfASpotIsWhereItsLightPlaneShowsTheViewersLines)
   const glm::dvec3 behind(2, 12, 1);
   EXPECT_EQ(rtw::LookAtView(FrameOf(spot, behind, forward), behind, forward, false).Unit, 0);
 }
-
-TEST(SplitResolution, KeepsTheTexelsAndMakesErrorsEqual)
-{
-  const glm::dvec2 split = rtw::SplitResolution(1 << 20, 12, 3);
-  EXPECT_NEAR(split.x * split.y, 1 << 20, 1e-6);
-  EXPECT_NEAR(12 / split.x, 3 / split.y, 1e-12);
-}
 }
