@@ -151,7 +151,7 @@ void TestImportance()
   {
     RTW_CHECK_EQUAL(importance->GetDimensions()[k], k < 2 ? 128 : 2);
   }
-  double collected[2] = {}, worst = 0;
+  double collected[2] = {}, inAll[2] = {}, worst = 0;
   for (int axis = 0; axis < 2; ++axis)
   {
     for (int line = 0; line < 128; ++line)
@@ -163,6 +163,7 @@ void TestImportance()
         collected[axis] += value[0];
         used += value[1];
       }
+      inAll[axis] += used;
       for (int i = 0; i < 128; ++i)
       {
         const auto* value = static_cast<float*>(importance->GetScalarPointer(i, line, axis));
@@ -172,11 +173,16 @@ void TestImportance()
       }
     }
   }
-  std::cout << "importance: " << collected[0] << " and " << collected[1]
-            << " samples, steps differ by " << worst << std::endl;
+  std::cout << "importance: " << collected[0] << " and " << collected[1] << " samples, used "
+            << inAll[0] << " and " << inAll[1] << ", steps differ by " << worst << std::endl;
   RTW_CHECK(collected[0] > 5000);
   RTW_CHECK_NEAR(collected[1] / collected[0], 1, 1e-3);
   RTW_CHECK(worst < 1e-5);
+  // Neither smoothing nor blurring makes it more or less, but for what falls beside the focus.
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    RTW_CHECK_NEAR(inAll[axis] / collected[axis], 1, 0.015);
+  }
 }
 
 // By the twin in double, from what was collected. How much smoothing was chosen along both axes.

@@ -5,7 +5,13 @@
 
 namespace rtw
 {
-void TexelBuffer::Allocate(int components, std::size_t elements)
+namespace
+{
+constexpr GLenum Formats[2][3] = { { GL_R32F, GL_RG32F, GL_RGBA32F },
+  { GL_R32UI, GL_RG32UI, GL_RGBA32UI } };
+}
+
+void TexelBuffer::Allocate(int components, std::size_t elements, bool integers)
 {
   const unsigned int before = this->Values.GetId();
   const bool same = this->Components == components;
@@ -20,11 +26,7 @@ void TexelBuffer::Allocate(int components, std::size_t elements)
     glGenTextures(1, &this->Texture);
   }
   glBindTexture(GL_TEXTURE_BUFFER, this->Texture);
-  glTexBuffer(GL_TEXTURE_BUFFER,
-    components == 1     ? GL_R32F
-      : components == 2 ? GL_RG32F
-                        : GL_RGBA32F,
-    this->Values.GetId());
+  glTexBuffer(GL_TEXTURE_BUFFER, Formats[integers][components / 2], this->Values.GetId());
   glBindTexture(GL_TEXTURE_BUFFER, 0);
 }
 
@@ -39,9 +41,9 @@ void TexelBuffer::CopyElement(std::size_t to, const TexelBuffer& other, std::siz
   this->Values.Copy(to * size, other.Values, from * size, size);
 }
 
-void TexelBuffer::Read(float* values, std::size_t elements) const
+void TexelBuffer::Read(std::size_t first, void* values, std::size_t elements) const
 {
-  this->Values.Read(0, values, elements * this->ElementSize());
+  this->Values.Read(first * this->ElementSize(), values, elements * this->ElementSize());
 }
 
 void TexelBuffer::Bind(int unit) const

@@ -19,11 +19,21 @@ public:
 
   /// Makes room for that many elements of 1, 2 or 4 floats; what was there is lost if there was
   /// less of it.
-  void Allocate(int components, std::size_t elements);
+  void Allocate(int components, std::size_t elements)
+  {
+    this->Allocate(components, elements, false);
+  }
+  /// The same of unsigned integers.
+  void AllocateIntegers(int components, std::size_t elements)
+  {
+    this->Allocate(components, elements, true);
+  }
   void Write(std::size_t first, const float* values, std::size_t elements);
   /// From another buffer with elements as large, on the GPU.
   void CopyElement(std::size_t to, const TexelBuffer& other, std::size_t from);
-  void Read(float* values, std::size_t elements) const;
+  void Read(float* values, std::size_t elements) const { this->Read(0, values, elements); }
+  /// Elements from that one on; of integers, their bits.
+  void Read(std::size_t first, void* values, std::size_t elements) const;
   /// Binds it to a texture unit, by its number.
   void Bind(int unit) const;
   void Unbind(int unit) const;
@@ -35,6 +45,7 @@ public:
   void Abandon();
 
 private:
+  void Allocate(int components, std::size_t elements, bool integers);
   std::size_t ElementSize() const { return sizeof(float) * this->Components; }
 
   Buffer Values;

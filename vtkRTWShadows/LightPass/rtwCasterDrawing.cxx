@@ -51,7 +51,7 @@ constexpr std::size_t CoverBytes = 32;
 constexpr int MostClusters = 128;
 constexpr std::size_t MostCovers = 3072; // of a cluster
 // Tiles have the room of all together, and some clusters' few large triangles need thousands.
-constexpr int MostClustersInTiles = 32;
+constexpr int MostClustersInTiles = 64;
 constexpr std::size_t FinePatches =
   (PatchClasses - 1) * MostTriangles;      // of all classes but the last
 constexpr std::size_t BentDrawOffset = 16; // in a cluster's work
@@ -81,10 +81,9 @@ std::array<Program*, 8> CasterDrawing::Programs()
     &this->Plane, &this->Bent, &this->Patches, &this->Thin };
 }
 
-std::array<Buffer*, 5> CasterDrawing::Buffers()
+std::array<Buffer*, 3> CasterDrawing::Buffers()
 {
-  return { &this->Work, &this->WorkGroups, &this->StraightCasters, &this->BentCasters,
-    &this->Covers };
+  return { &this->Work, &this->WorkGroups, &this->StraightCasters };
 }
 
 bool CasterDrawing::Build(const WarpShape& warp, TableAccess access)
@@ -150,7 +149,7 @@ std::string CasterDrawing::GetLog() const
 std::size_t CasterDrawing::GetMemory() const
 {
   return this->Clusters.GetMemory() + this->Work.GetSize() + this->StraightCasters.GetSize() +
-    this->BentCasters.GetSize() + this->Covers.GetSize() + this->Tiles.GetMemory();
+    this->BentCasters.GetMemory() + this->Covers.GetMemory() + this->Tiles.GetMemory();
 }
 
 // Where edges are straight that is exact as it is. Under a grid whole neighbourhoods bend alike:
@@ -179,14 +178,15 @@ void CasterDrawing::Start(const CasterLayer& layer, int first, int most)
 void CasterDrawing::SetUp(const CasterLayer& layer, int clusters)
 {
   this->StraightCasters.Reserve(StraightBytes * clusters);
-  this->BentCasters.Reserve(BentBytes * clusters);
+  this->BentCasters.Allocate(4, BentBytes / 16 * clusters);
   // Patches lie behind the covers.
   const bool tessellates = layer.Bends == Bending::Tessellated;
   const std::size_t most = MostClusters * MostCovers;
-  this->Covers.Reserve(CoverBytes *
-    (tessellates        ? 2 * most + MostClusters * FinePatches
-        : this->InTiles ? most
-                        : MostCovers * clusters));
+  this->Covers.Allocate(4,
+    CoverBytes / 16 *
+      (tessellates        ? 2 * most + MostClusters * FinePatches
+          : this->InTiles ? most
+                          : MostCovers * clusters));
   layer.Store.GetPoints().BindStorage(0);
   layer.Store.GetIndices().BindStorage(1);
   this->Clusters.GetMatrices().BindStorage(2);
@@ -201,6 +201,8 @@ void CasterDrawing::SetUp(const CasterLayer& layer, int clusters)
   }
   if (this->InTiles)
   {
+    this->BentCasters.Bind(TileCovers::BentUnit);
+    this->Covers.Bind(TileCovers::CoversUnit);
     this->Tiles.Find(
       clusters, most, layer.Table, [&](const Program& program) { layer.Prepare(program); });
   }
@@ -209,7 +211,9 @@ void CasterDrawing::SetUp(const CasterLayer& layer, int clusters)
 void CasterDrawing::DrawTriangles(const CasterLayer& layer, int clusters)
 {
   layer.Prepare(this->Bent);
-  this->Pulled.DrawIndirect(Primitive::Triangles, this->Work, BentDrawOffset, clusters, WorkBytes);
+  // All that tiles make, but points, is in the first cluster's.
+  this->Pulled.DrawIndirect(
+    Primitive::Triangles, this->Work, BentDrawOffset, this->InTiles ? 1 : clusters, WorkBytes);
   if (this->InTiles)
   {
     this->Tiles.DrawPoints([&](const Program& program) { layer.Prepare(program); });
@@ -279,6 +283,8 @@ void CasterDrawing::Release()
     buffer->Release();
   }
   this->Clusters.Release();
+  this->BentCasters.Release();
+  this->Covers.Release();
   this->Tiles.Release();
   this->Array.Release();
   this->Pulled.Release();
@@ -295,6 +301,8 @@ void CasterDrawing::Abandon()
     buffer->Abandon();
   }
   this->Clusters.Abandon();
+  this->BentCasters.Abandon();
+  this->Covers.Abandon();
   this->Tiles.Abandon();
   this->Array.Abandon();
   this->Pulled.Abandon();

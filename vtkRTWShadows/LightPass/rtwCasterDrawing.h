@@ -10,6 +10,7 @@
 #include "rtwDrawing.h"
 #include "rtwLightFrame.h"
 #include "rtwProgram.h"
+#include "rtwTexelBuffer.h"
 #include "rtwTileCovers.h"
 #include "rtwWarpStage.h"
 #include "rtwWarpTable.h"
@@ -39,7 +40,7 @@ public:
 
 private:
   std::array<Program*, 8> Programs();
-  std::array<Buffer*, 5> Buffers();
+  std::array<Buffer*, 3> Buffers();
   Bending BendingOf(const CasterOptions& options) const;
   void Start(const CasterLayer& layer, int first, int most);
   void SetUp(const CasterLayer& layer, int clusters);
@@ -52,7 +53,8 @@ private:
   TableAccess Access = TableAccess::Storage;
   CasterCulling Clusters;
   Program Starting, CullingTriangles, SettingUp, Straight, Plane, Bent, Patches, Thin;
-  Buffer Work, WorkGroups, StraightCasters, BentCasters, Covers;
+  Buffer Work, WorkGroups, StraightCasters;
+  TexelBuffer BentCasters, Covers;
   PulledVertices Pulled;
   TileCovers Tiles;
   MeshArray Array;

@@ -12,9 +12,9 @@ struct BentCaster
   vec4 edges[3]; // signed distance from each at (q - anchor, 1); w: slope of depth, and its least
   vec4 anchor;   // a corner: q and depth; w: the greatest depth
   // Where it is covered by tiles:
-  vec4 bounds;     // of q
-  vec4 corners[2]; // q of two; of the third, and whether it crosses the plane of a spot
-  ivec4 texels;    // that it can take: first, last
+  vec4 corners[2]; // q of two; of the third, and whether it crosses the plane of a spot: then three of what bounds it
+  vec4 texels;     // that it can take: first, last
+  vec4 unused;
 };
 
 // A bent triangle that is tessellated takes the same place: its corners before the perspective division in `edges`, and in `anchor` the

@@ -80,6 +80,19 @@ ivec4 rtwTexels(vec4 bounds)
   return ivec4(max(first, 0.0), min(last, size - 1.0));
 }
 
+// That it can take.
+ivec4 rtwTexelsOf(Caster t)
+{
+#if defined(RTW_TRIANGLES_ON_MAP)
+  if (!t.crosses)
+  {
+    return rtwTexels(rtwTriangleOnMap(rtwLayer, t.low, t.high,
+      vec2[3](t.points[0].xy / t.points[0].w, t.points[1].xy / t.points[1].w, t.points[2].xy / t.points[2].w)));
+  }
+#endif
+  return rtwTexels(rtwBoundsOnMap(rtwLayer, t.low, t.high));
+}
+
 // Of a triangle of the cluster.
 bool rtwLoadCaster(uint triangle, out Caster t)
 {

@@ -3,12 +3,8 @@
 // whose centres are looked at.
 //
 // All triangles' tiles of a size that are to be divided are worked on side by side, one by an invocation, from a list; those of the next
-// size are put in another. A third list has the squares of 4 x 4 texels. Covers that aren't large are points: these lie at the end of the
+// size are put in another. A third list has what is taken: the squares of 4 x 4 texels, and whole tiles. Covers that aren't large are points: these lie at the end of the
 // buffer of covers, the last one first.
-layout(std430, binding = 5) readonly buffer BentCasters
-{
-  BentCaster rtwBent[];
-};
 layout(std430, binding = 6) writeonly buffer Covers
 {
   CasterCover rtwCovers[];
@@ -22,7 +18,7 @@ layout(std430, binding = 4) buffer Tiles
   uint rtwTilesToDivide; // of that list, at most, so that there is room for all that they become
   uint rtwUnused;
   uint rtwPointDraw[4];  // vertices, instances, first vertex, first instance
-  uvec2 rtwTilesToDo[];  // each list: caster; level, row, column, of texels in the third
+  uvec2 rtwTilesToDo[];  // each list: caster; level, row, column; of level 0 are squares of texels that begin there
 };
 const uint TAKEN_LIST = 2u;
 const uint MOST_TILES = MOST_COVERS * MOST_CLUSTERS;
@@ -33,7 +29,7 @@ struct Covered
   uint caster;
   vec3 edges[3];
   vec2 anchor;
-  vec2 corners[3];
+  vec2 corners[3]; // where it crosses the plane of a spot, of its bounds
   vec2 low;
   vec2 high;
   bool crosses;
@@ -44,20 +40,23 @@ struct Covered
 
 Covered rtwLoadCovered(uint caster)
 {
+  vec4 e0 = rtwBentEntry(caster, 0);
+  vec4 e1 = rtwBentEntry(caster, 1);
+  vec4 e2 = rtwBentEntry(caster, 2);
+  vec4 anchor = rtwBentEntry(caster, 3);
+  vec4 ab = rtwBentEntry(caster, 4);
+  vec4 c2 = rtwBentEntry(caster, 5);
   Covered c;
   c.caster = caster;
-  for (int i = 0; i < 3; ++i)
-  {
-    c.edges[i] = rtwBent[caster].edges[i].xyz;
-  }
-  c.anchor = rtwBent[caster].anchor.xy;
-  c.corners = vec2[3](rtwBent[caster].corners[0].xy, rtwBent[caster].corners[0].zw, rtwBent[caster].corners[1].xy);
-  c.low = rtwBent[caster].bounds.xy;
-  c.high = rtwBent[caster].bounds.zw;
-  c.crosses = rtwBent[caster].corners[1].z != 0.0;
-  c.texels = rtwBent[caster].texels;
-  c.plane = vec3(rtwBent[caster].edges[0].w, rtwBent[caster].edges[1].w, rtwBent[caster].anchor.z);
-  c.depth = max(rtwBent[caster].edges[2].w, 0.0);
+  c.edges = vec3[3](e0.xyz, e1.xyz, e2.xyz);
+  c.anchor = anchor.xy;
+  c.corners = vec2[3](ab.xy, ab.zw, c2.xy);
+  c.low = min(min(ab.xy, ab.zw), c2.xy);
+  c.high = max(max(ab.xy, ab.zw), c2.xy);
+  c.crosses = c2.z != 0.0;
+  c.texels = ivec4(rtwBentEntry(caster, 6));
+  c.plane = vec3(e0.w, e1.w, anchor.z);
+  c.depth = max(e2.w, 0.0);
   return c;
 }
 
@@ -139,12 +138,16 @@ void rtwAddTexels(Covered c, ivec4 texels)
   // The first cluster's draw has all that aren't points.
   uint i = isPoint ? MOST_TILES - 1u - atomicAdd(rtwPointDraw[0], 1u) : atomicAdd(rtwWork[0].bentDraw[0], 6u) / 6u;
   rtwCovers[i].corners = vec2[3](low, isPoint ? vec2(size) : vec2(high.x, low.y), vec2(low.x, high.y));
-  rtwCovers[i].caster = 2u * c.caster + 1u;
+  rtwCovers[i].caster = isPoint ? floatBitsToUint(float(c.caster)) : 2u * c.caster + 1u;
   rtwCovers[i].depth = c.depth;
+}
+
+uvec2 rtwTileToDo(uint caster, int level, ivec2 at)
+{
+  return uvec2(caster, uint(level) << 28 | uint(at.y) << 14 | uint(at.x));
 }
 
 void rtwAddTileToDo(uint list, uint place, uint caster, int level, ivec2 at)
 {
-  rtwTilesToDo[MOST_TILES * list + place] = uvec2(caster, uint(level) << 28 | uint(at.y) << 14 | uint(at.x));
+  rtwTilesToDo[MOST_TILES * list + place] = rtwTileToDo(caster, level, at);
 }
-

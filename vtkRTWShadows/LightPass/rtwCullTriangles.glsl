@@ -9,7 +9,7 @@ void main()
     Caster t;
     if (rtwLoadCaster(i, t))
     {
-      ivec4 texels = rtwTexels(rtwBoundsOnMap(rtwLayer, t.low, t.high));
+      ivec4 texels = rtwTexelsOf(t);
       if (all(greaterThanEqual(texels.zw, texels.xy)) && !rtwIsBehindAll(texels, t.depths.x))
       {
         rtwWork[cluster].casters[atomicAdd(rtwWork[cluster].numberOfCasters, 1u)] = i;

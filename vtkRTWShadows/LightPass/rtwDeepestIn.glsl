@@ -23,3 +23,10 @@ bool rtwIsBehindAll(ivec4 texels, float nearest)
 {
   return rtwHasDeepest != 0 && nearest > rtwDeepestIn(texels);
 }
+
+// The same of a tile of so many texels, as a power of two.
+bool rtwIsBehindTile(int level, ivec2 tile, float nearest)
+{
+  int square = max(level, rtwSquare);
+  return rtwHasDeepest != 0 && nearest > rtwDeepestOf(square - rtwSquare, tile >> (square - level));
+}

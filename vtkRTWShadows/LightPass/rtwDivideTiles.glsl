@@ -1,38 +1,22 @@
-// A tile of the list is divided into four, each of which becomes a cover, or none, or is put into the next list. Where there isn't room for
-// that, the tile is a cover as it is.
+// A tile of the list is divided into four, each of which is left out, put into the next list, or into that of what is taken. Where there
+// isn't room for that, the tile is taken as it is.
+//
+// What four tiles become is kept in bits, and there is one place where any is written: in software a write costs as much where nothing
+// is written.
 layout(local_size_x = TILES_GROUP) in;
 uniform int rtwTileList;
 
 const uint NOWHERE = 0u;
 const uint DIVIDED = 1u;
 const uint TAKEN = 2u;
-const uint COVER = 3u;
-shared uint rtwCounts[4]; // of what becomes of the work group's, then where that begins
+shared uint rtwCounts[3]; // where in both lists what becomes of the work group's begins; how much that is
 
 uint rtwFateOf(Covered c, int level, ivec2 at, bool isPart)
 {
   Tile tile = rtwTile(rtwLayer, level, at);
   int side = rtwSideOf(c, tile);
-  bool isUseful = isPart && side >= 0 && !rtwIsBehindAll(ivec4(at << level, ((at + 1) << level) - 1), rtwNearestIn(c, tile));
-  uint divided = level > LEAST_TILE_LEVEL ? DIVIDED : TAKEN;
-  return !isUseful ? NOWHERE : side > 0 ? COVER : divided;
-}
-
-void rtwAddPart(Covered c, int level, ivec2 at, uint fate, inout uint places[4])
-{
-  uint place = places[fate]++;
-  if (fate == DIVIDED)
-  {
-    rtwAddTileToDo(uint(1 - rtwTileList), place, c.caster, level, at);
-  }
-  else if (fate == TAKEN)
-  {
-    rtwAddTileToDo(TAKEN_LIST, place, c.caster, 0, at << level);
-  }
-  else if (fate == COVER)
-  {
-    rtwAddTexels(c, ivec4(at << level, ((at + 1) << level) - 1));
-  }
+  bool isUseful = isPart && side >= 0 && !rtwIsBehindTile(level, at, rtwNearestIn(c, tile));
+  return !isUseful ? NOWHERE : side > 0 || level == LEAST_TILE_LEVEL ? TAKEN + 4u * uint(side) : DIVIDED;
 }
 
 void main()
@@ -45,40 +29,45 @@ void main()
   ivec2 first = 2 * (ivec2(item.y, item.y >> 14) & 0x3fff);
   ivec4 range = c.texels >> level;
   bool isDivided = isUsed && i < rtwTilesToDivide;
-  uint fates[4];
-  uint places[4] = uint[4](0u, 0u, 0u, 0u); // how many there are of each
+  uint fates = isUsed && !isDivided ? TAKEN + 8u : NOWHERE; // four bits each
+  uvec2 counts = uvec2(0u, uint(fates != 0u));
   for (int k = 0; k < 4; ++k)
   {
     ivec2 at = first + ivec2(k & 1, k >> 1);
     bool isPart = isDivided && all(greaterThanEqual(at, range.xy)) && all(lessThanEqual(at, range.zw));
-    fates[k] = rtwFateOf(c, level, at, isPart);
-    ++places[fates[k]];
+    uint fate = rtwFateOf(c, level, at, isPart);
+    fates |= fate << (4 * k);
+    counts += uvec2(fate & 1u, (fate >> 1) & 1u);
   }
-  if (gl_LocalInvocationIndex < 4u)
+  // Two counts in one number.
+  if (gl_LocalInvocationIndex == 0u)
   {
-    rtwCounts[gl_LocalInvocationIndex] = 0u;
-  }
-  barrier();
-  places[DIVIDED] = atomicAdd(rtwCounts[DIVIDED], places[DIVIDED]);
-  places[TAKEN] = atomicAdd(rtwCounts[TAKEN], places[TAKEN]);
-  barrier();
-  if (gl_LocalInvocationIndex == DIVIDED)
-  {
-    rtwCounts[DIVIDED] = atomicAdd(rtwTileCounts[1 - rtwTileList], rtwCounts[DIVIDED]);
-  }
-  if (gl_LocalInvocationIndex == TAKEN)
-  {
-    rtwCounts[TAKEN] = atomicAdd(rtwTileCounts[TAKEN_LIST], rtwCounts[TAKEN]);
+    rtwCounts[2] = 0u;
   }
   barrier();
-  places[DIVIDED] += rtwCounts[DIVIDED];
-  places[TAKEN] += rtwCounts[TAKEN];
-  for (int k = 0; k < 4; ++k)
+  uint before = atomicAdd(rtwCounts[2], counts.x | counts.y << 16);
+  barrier();
+  if (gl_LocalInvocationIndex < 2u)
   {
-    rtwAddPart(c, level, first + ivec2(k & 1, k >> 1), fates[k], places);
+    uint list = gl_LocalInvocationIndex == 0u ? uint(1 - rtwTileList) : TAKEN_LIST;
+    uint all = (rtwCounts[2] >> (16u * gl_LocalInvocationIndex)) & 0xffffu;
+    rtwCounts[gl_LocalInvocationIndex] = MOST_TILES * list + atomicAdd(rtwTileCounts[list], all);
   }
-  if (isUsed && !isDivided)
+  barrier();
+  uvec2 places = uvec2(rtwCounts[0] + (before & 0xffffu), rtwCounts[1] + (before >> 16));
+  while (fates != 0u)
   {
-    rtwAddTexels(c, ivec4(first << level, ((first + 2) << level) - 1));
+    int k = findLSB(fates) >> 2;
+    uint fate = (fates >> (4 * k)) & 15u;
+    fates &= ~(15u << (4 * k));
+    bool isTaken = (fate & TAKEN) != 0u;
+    bool isWhole = fate > 3u;
+    ivec2 at = fate > 7u ? first >> 1 : first + ivec2(k & 1, k >> 1);
+    int size = fate > 7u ? level + 1 : level;
+    if (fate != NOWHERE)
+    {
+      rtwTilesToDo[isTaken ? places.y : places.x] = rtwTileToDo(c.caster, isTaken && !isWhole ? 0 : size, isTaken && !isWhole ? at << size : at);
+      places += isTaken ? uvec2(0u, 1u) : uvec2(1u, 0u);
+    }
   }
 }

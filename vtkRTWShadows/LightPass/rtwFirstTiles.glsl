@@ -1,5 +1,6 @@
-// The tiles, four at most, that hold what a bent triangle can take; the texels themselves, where they are few.
+// The tiles, four at most, that hold what a bent triangle can take; squares of texels, where they are few.
 layout(local_size_x = SET_UP_GROUP) in;
+const int FEW_SQUARES = 8; // that cost less to look at than to find which of them it takes
 
 void main()
 {
@@ -13,9 +14,16 @@ void main()
     }
     Covered c = rtwLoadCovered(MOST_TRIANGLES * cluster + triangle - IS_COVERED);
     ivec2 size = c.texels.zw - c.texels.xy + 1;
-    if (all(lessThanEqual(size, ivec2(1 << LEAST_TILE_LEVEL))))
+    ivec2 squares = (size + (1 << LEAST_TILE_LEVEL) - 1) >> LEAST_TILE_LEVEL;
+    int few = squares.x * squares.y;
+    if (few <= FEW_SQUARES)
     {
-      rtwAddTileToDo(TAKEN_LIST, atomicAdd(rtwTileCounts[TAKEN_LIST], 1u), c.caster, 0, c.texels.xy);
+      uint place = atomicAdd(rtwTileCounts[TAKEN_LIST], uint(few));
+      for (int k = 0; k < few; ++k)
+      {
+        ivec2 at = ivec2(k % squares.x, k / squares.x) << LEAST_TILE_LEVEL;
+        rtwAddTileToDo(TAKEN_LIST, place + uint(k), c.caster, 0, c.texels.xy + at);
+      }
     }
     else
     {

@@ -5,14 +5,13 @@ uniform int rtwTileList;
 void main()
 {
   uint tiles = rtwTileCounts[rtwTileList];
-  uint room = MOST_TILES - rtwWork[0].bentDraw[0] / 6u - rtwPointDraw[0] - tiles;
   rtwTileGroups[0] = (tiles + TILES_GROUP - 1u) / TILES_GROUP;
   rtwTileGroups[1] = 1u;
   rtwTileGroups[2] = 1u;
   if (rtwTileList != int(TAKEN_LIST))
   {
-    room -= rtwTileCounts[TAKEN_LIST];
+    // Each that is divided may take three places more than it has.
+    rtwTilesToDivide = (MOST_TILES - tiles - rtwTileCounts[TAKEN_LIST]) / 3u;
     rtwTileCounts[1 - rtwTileList] = 0u;
   }
-  rtwTilesToDivide = room / 3u;
 }

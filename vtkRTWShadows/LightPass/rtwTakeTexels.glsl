@@ -1,4 +1,4 @@
-// Covers of a triangle in a square of 4 x 4 texels, which lie at its rim: as far as it takes them.
+// Covers of a triangle: tiles that lie in it, and of a square of 4 x 4 texels at its rim as much as it takes of them.
 layout(local_size_x = TILES_GROUP) in;
 
 void main()
@@ -8,6 +8,9 @@ void main()
   {
     uvec2 item = rtwTilesToDo[MOST_TILES * TAKEN_LIST + i];
     Covered c = rtwLoadCovered(item.x);
-    rtwAddTexels(c, rtwTaken(c, ivec2(item.y, item.y >> 14) & 0x3fff));
+    int level = int(item.y >> 28);
+    ivec2 at = ivec2(item.y, item.y >> 14) & 0x3fff;
+    ivec4 taken = rtwTaken(c, level == 0 ? at : at << level);
+    rtwAddTexels(c, level == 0 ? taken : ivec4(at << level, ((at + 1) << level) - 1));
   }
 }

@@ -2,11 +2,11 @@
 #include "rtwTileCovers.h"
 
 #include "rtwBentCasterFS.h"
+#include "rtwBentTable.h"
 #include "rtwCasterGradient.h"
 #include "rtwCasterPlane.h"
 #include "rtwCasterRecords.h"
 #include "rtwCasterWork.h"
-#include "rtwCoveredCaster.h"
 #include "rtwCoveredTiles.h"
 #include "rtwDeepest.h"
 #include "rtwDeepestIn.h"
@@ -39,13 +39,12 @@ bool TileCovers::Build(const WarpShape& warp, TableAccess access, const std::str
     return program.Build({ { GL_COMPUTE_SHADER,
       { "#define TILES_GROUP 64u\n", stored, rtwWarpFocus, warp.Function, warp.Bend,
         definitions.c_str(), rtwDeepest, rtwDeepestIn, rtwCasterWork, rtwCasterRecords,
-        rtwCoveredTiles, code } } });
+        rtwBentTable, rtwCoveredTiles, code } } });
   };
   return build(this->Starting, rtwFirstTiles) && build(this->Planning, rtwPlanTiles) &&
     build(this->Dividing, rtwDivideTiles) && build(this->Taking, rtwTakeTexels) &&
     this->Drawing.Build(
-      { { GL_VERTEX_SHADER,
-          { definitions.c_str(), rtwCasterRecords, rtwCoveredCaster, rtwPointCasterVS } },
+      { { GL_VERTEX_SHADER, { definitions.c_str(), rtwBentTable, rtwPointCasterVS } },
         { GL_FRAGMENT_SHADER,
           { stored, rtwWarpFocus, warp.Function, rtwCasterGradient, rtwCasterPlane,
             rtwBentCasterFS } } });

@@ -18,6 +18,10 @@ namespace rtw
 class TileCovers
 {
 public:
+  /// Texture units of the bent triangles and of their covers, which are to be bound.
+  static constexpr int BentUnit = 9,
+                       CoversUnit = 10; // as in rtwBentTable.glsl and rtwPointCasterVS.glsl
+
   /// Compiles for that warp, with the definitions that go before all shaders of the light pass;
   /// false, with the reason in GetLog(), where the driver can't.
   bool Build(const WarpShape& warp, TableAccess access, const std::string& definitions);

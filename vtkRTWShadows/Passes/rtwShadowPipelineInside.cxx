@@ -81,6 +81,6 @@ glm::dvec2 ShadowPipeline::ReadInterval(int layer) const
 
 std::vector<float> ShadowPipeline::ReadImportance(int layer) const
 {
-  return this->OwnDrawing ? this->Warp->ReadImportance(layer) : std::vector<float>();
+  return this->OwnDrawing ? this->Warp->ReadImportance(layer, this->Table) : std::vector<float>();
 }
 }

@@ -90,6 +90,8 @@ struct NearMap
 
 // Rounding of what is about 1.
 const float NEAR_ROUNDING = 5e-7;
+// Of the focus: as far beside a triangle a texel's centre still belongs to it, in rtwBentCasterFS.glsl.
+const float TRIANGLE_ROUNDING = 3e-7;
 
 // Of the part of the box in the focus: the warp takes the rest beside the map.
 NearMap rtwNearMap(int layer, vec2 low, vec2 high)
@@ -111,11 +113,6 @@ NearMap rtwNearMap(int layer, vec2 low, vec2 high)
   return NearMap(centre, middle, slope, vec2(rows.stray, columns.stray + abs(columns.slope.y) * rows.stray) + NEAR_ROUNDING);
 }
 
-vec2 rtwNearPlace(NearMap near, vec2 q)
-{
-  return near.middle + near.slope * (q - near.centre);
-}
-
 // What a box on the light plane takes on the map: low, high.
 vec4 rtwBoundsOnMap(int layer, vec2 low, vec2 high)
 {
@@ -123,6 +120,18 @@ vec4 rtwBoundsOnMap(int layer, vec2 low, vec2 high)
   vec2 extent = clamp(high, 0.0, 1.0) - clamp(low, 0.0, 1.0);
   vec2 reach = 0.5 * (abs(near.slope[0]) * extent.x + abs(near.slope[1]) * extent.y) + near.stray;
   return clamp(vec4(near.middle - reach, near.middle + reach), 0.0, 1.0);
+}
+
+// What a triangle in such a box takes: less, where it lies askew.
+#define RTW_TRIANGLES_ON_MAP
+vec4 rtwTriangleOnMap(int layer, vec2 low, vec2 high, vec2 corners[3])
+{
+  NearMap near = rtwNearMap(layer, low, high);
+  vec2 a = near.slope * (corners[0] - near.centre);
+  vec2 b = near.slope * (corners[1] - near.centre);
+  vec2 c = near.slope * (corners[2] - near.centre);
+  vec2 stray = near.stray + TRIANGLE_ROUNDING * (abs(near.slope[0]) + abs(near.slope[1]));
+  return clamp(near.middle.xyxy + vec4(min(min(a, b), c) - stray, max(max(a, b), c) + stray), 0.0, 1.0);
 }
 
 bool rtwLeavesFocus(vec2 low, vec2 high)
@@ -134,7 +143,8 @@ bool rtwLeavesFocus(vec2 low, vec2 high)
 // where some of them may be in the focus and others not.
 vec2 rtwBends(int layer, vec2 low, vec2 high)
 {
-  return layer < rtwGridLayers && rtwLeavesFocus(low, high) ? vec2(1.0) : 2.0 * rtwNearMap(layer, low, high).stray;
+  vec2 stray = rtwNearMap(layer, low, high).stray; // wherever it is, so that rtwShifts() finds it found
+  return layer < rtwGridLayers && rtwLeavesFocus(low, high) ? vec2(1.0) : 2.0 * stray;
 }
 
 // The same as lengths on the light plane: how far the point that a plane puts somewhere on the map is from the one that belongs there.

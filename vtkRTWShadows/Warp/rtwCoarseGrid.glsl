@@ -10,6 +10,8 @@ layout(std430, binding = 1) writeonly buffer Coarse
   float rtwCoarse[]; // a line, a cell
 };
 uniform ivec2 rtwWarpSize;
+uniform int rtwFirst; // of what was collected along the axis, in cells
+uniform int rtwLineLength;
 uniform float rtwUnit;
 
 void main()
@@ -23,7 +25,7 @@ void main()
   {
     for (int cell = first.x; cell < end.x; ++cell)
     {
-      int i = 2 * (line * cells + cell);
+      int i = 2 * (rtwFirst + line * rtwLineLength + cell);
       sum += rtwUnit * (float(rtwCollected[i]) + 4294967296.0 * float(rtwCollected[i + 1]));
     }
   }

@@ -1,6 +1,8 @@
 // What view samples ask for along one axis, in each cell of the grid: counted as they fall (Milet et al. 2015, steps 2 and 6), or, as demand,
 // by one over their footprint. A sample's square is spread over the cells that its pixels would fall to.
 const float MOST_PARTS = 8.0;
+uniform int rtwFirst;      // of what is collected along the axis, in cells
+uniform int rtwLineLength; // likewise
 uniform int rtwAxis; // along t samples lie where the functions along s put them
 
 ivec2 rtwCellAndLine(vec2 q)
@@ -23,7 +25,7 @@ void rtwVisit(LitSample s)
   {
     ivec2 at = rtwCellAndLine(clamp(q + wide * (part / parts - 0.5), 0.0, 1.0));
     uint next = uint(asked * (part + 0.5) / parts + 0.5);
-    rtwAddToProfile(2u * uint(at.y * rtwWarpSize.x + at.x), next - given, 0u);
+    rtwAddToProfile(2u * uint(rtwFirst + at.y * rtwLineLength + at.x), next - given, 0u);
     given = next;
   }
 }

@@ -1,22 +1,11 @@
-// The inverse of the warp at the texels' centres, a column of the map a work group: t by the column's function, which is put together once,
-// then s by that of the row which t lies in.
+// The inverse of the warp at the texels' centres, a column of the map a work group: t by the column's function, then s by that of the row
+// which t lies in.
 layout(local_size_x = 32) in;
-const int MOST_CELLS = 2048;
-
-layout(std430, binding = 1) buffer Grid
+layout(std430, binding = 1) writeonly buffer Grid
 {
   vec2 rtwGrid[];
 };
 uniform int rtwLayer;
-shared float rtwColumn[MOST_CELLS + 1];
-
-// As rtwGridEntry has it, along s.
-vec2 rtwStoredEntry(float line, int cell)
-{
-  float first = min(floor(line), float(rtwWarpSize.x - 2));
-  int place = rtwGridPlace(rtwLayer, 0, int(first), cell);
-  return mix(rtwGrid[place], rtwGrid[place + rtwWarpSize.x], line - first);
-}
 
 // A search for a cell: from a guess in steps that double until it lies between two cells, then in halves.
 struct CellSearch
@@ -26,11 +15,6 @@ struct CellSearch
   int high;
   int step;
 };
-
-CellSearch rtwSearchFrom(int guess)
-{
-  return CellSearch(guess, 0, rtwWarpSize.x, 1);
-}
 
 // False where the cell with those ends is found.
 bool rtwSearchOn(inout CellSearch search, vec2 ends, float target)
@@ -46,65 +30,38 @@ bool rtwSearchOn(inout CellSearch search, vec2 ends, float target)
   return (before || behind) && search.low < search.high;
 }
 
-// The cell of the column's function, in which it reaches the target.
-int rtwCellInColumn(float target, int guess)
+// Where a function reaches the target, near a guess.
+float rtwReached(int axis, float line, float target, float guess)
 {
-  CellSearch search = rtwSearchFrom(guess);
+  float cells = float(rtwWarpSize.x);
+  CellSearch search = CellSearch(int(clamp(guess * cells, 0.0, cells - 1.0)), 0, rtwWarpSize.x, 1);
+  vec2 ends = vec2(0.0, 1.0);
   bool isToDo = true;
   while (isToDo)
   {
-    isToDo = rtwSearchOn(search, vec2(rtwColumn[search.cell], rtwColumn[search.cell + 1]), target);
-  }
-  return search.cell;
-}
-
-// Of a row's, and its ends.
-int rtwCellInRow(float line, float target, int guess, out vec2 ends)
-{
-  CellSearch search = rtwSearchFrom(guess);
-  bool isToDo = true;
-  while (isToDo)
-  {
-    ends = rtwStoredEntry(line, search.cell);
+    ends = rtwGridEntry(rtwLayer, axis, line, search.cell);
     isToDo = rtwSearchOn(search, ends, target);
   }
-  return search.cell;
-}
-
-float rtwPlaceInCell(int cell, vec2 ends, float target)
-{
-  return (float(cell) + (target - ends.x) / (ends.y - ends.x)) / float(rtwWarpSize.x);
+  return (float(search.cell) + (target - ends.x) / (ends.y - ends.x)) / cells;
 }
 
 void main()
 {
-  int cells = rtwWarpSize.x;
   int side = rtwWarpSize.y;
   int column = int(gl_WorkGroupID.x);
-  int me = int(gl_LocalInvocationIndex);
   float s = (float(column) + 0.5) / float(side);
   float line = rtwLineBefore(s);
-  for (int i = me; i < cells; i += 32)
-  {
-    rtwColumn[i] = rtwGridEntry(rtwLayer, 1, line, i).x;
-  }
-  if (me == 0)
-  {
-    rtwColumn[cells] = 1.0;
-  }
-  barrier();
-  // One row after another, whose cells are near each other's.
+  // One row after another: the next centre is about as far from this one as that was from the one before.
   int each = (side + 31) / 32;
-  ivec2 cell = ivec2(cells / 2);
-  for (int row = me * each; row < min((me + 1) * each, side); ++row)
+  int first = int(gl_LocalInvocationIndex) * each;
+  vec2 q = vec2(s, (float(first) + 0.5) / float(side));
+  vec2 step = vec2(0.0);
+  for (int row = first; row < min(first + each, side); ++row)
   {
-    float target = (float(row) + 0.5) / float(side);
-    cell.y = rtwCellInColumn(target, cell.y);
-    float t = rtwPlaceInCell(cell.y, vec2(rtwColumn[cell.y], rtwColumn[cell.y + 1]), target);
-    float before = rtwLineBefore(t);
-    vec2 ends;
-    cell.x = rtwCellInRow(before, s, cell.x, ends);
-    rtwGrid[rtwCentrePlace(rtwLayer, ivec2(column, row))] =
-      vec2(rtwPlaceInCell(cell.x, ends, s), t);
+    vec2 guess = q + step;
+    q.y = rtwReached(1, line, (float(row) + 0.5) / float(side), guess.y);
+    q.x = rtwReached(0, rtwLineBefore(q.y), s, guess.x);
+    step = row == first ? vec2(0.0) : q - guess + step;
+    rtwGrid[rtwCentrePlace(rtwLayer, ivec2(column, row))] = q;
   }
 }

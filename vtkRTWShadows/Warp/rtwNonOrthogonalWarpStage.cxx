@@ -20,7 +20,6 @@
 #include "rtwNonOrthogonalWarp.h"
 #include "rtwOpenGL.h"
 #include "rtwRectilinearWarp.h"
-#include "rtwRunningSum.h"
 #include "rtwSampleBlocks.h"
 #include "rtwSampleOfLayer.h"
 #include "rtwSamplePlace.h"
@@ -38,6 +37,7 @@
 #include "rtwWarpTable.h"
 
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 namespace rtw
@@ -46,6 +46,19 @@ namespace
 {
 constexpr int CountUnit = 1024;
 constexpr int Passes = 3; // of smoothing
+constexpr int Unit = 9;   // of the texture that a program reads besides the table
+
+// Four cells at a time are read.
+int LineLengthOf(int cells)
+{
+  return (cells + 3) / 4 * 4;
+}
+
+void BindTexels(const Program& program, const char* name, const TexelBuffer& values)
+{
+  values.Bind(Unit);
+  program.Set(name, Unit);
+}
 
 bool BuildCollecting(Program& program, int functions)
 {
@@ -79,8 +92,7 @@ bool NonOrthogonalWarpStage::Build()
       { { GL_COMPUTE_SHADER, { "#define FIRST_PASS\n", rtwSmoothGrid } } }) &&
     this->Smoothing.Build({ { GL_COMPUTE_SHADER, { rtwSmoothGrid } } }) && this->BuildChoosing() &&
     this->Building.Build({ { GL_COMPUTE_SHADER,
-      { "#define GROUP 32\n", rtwWarpFocus, rtwWarpNonOrthogonal, rtwRunningSum,
-        rtwBuildGrid } } }) &&
+      { "#define GROUP 32\n", rtwWarpFocus, rtwWarpNonOrthogonal, rtwBuildGrid } } }) &&
     this->Inverting.Build(
       { { GL_COMPUTE_SHADER, { rtwWarpFocus, rtwWarpNonOrthogonal, rtwGridCentres } } }) &&
     this->Levelling.Build({ { GL_COMPUTE_SHADER,
@@ -119,25 +131,27 @@ void NonOrthogonalWarpStage::Run(
   const std::vector<LightFrame>& frames, const AnalysisInput& input, const WarpTable& table)
 {
   this->Used = this->Settings();
-  const std::size_t cells = std::size_t(table.GetCells()) * table.GetCells();
-  this->Collected.Reserve(cells * 2 * sizeof(unsigned int));
-  this->Smoothed.Reserve(cells * 2 * sizeof(float));
+  this->Cells = table.GetCells();
+  this->LineLength = LineLengthOf(this->Cells);
+  const std::size_t cells = std::size_t(this->Cells) * this->LineLength;
   this->Layers = static_cast<int>(frames.size());
+  this->Collected.AllocateIntegers(4, frames.size() * cells); // two sums each, of both axes
+  this->Collected.Clear();
+  this->Smoothed.Allocate(4, cells / 2); // two times
+  this->Totals.Reserve(frames.size() * 2 * this->Cells * sizeof(float));
   this->Report.Reserve(frames.size() * 2 * sizeof(float));
   this->Report.Clear();
-  this->Coarse.Reserve(SmoothingChoice::Cells * SmoothingChoice::Cells * sizeof(float));
+  this->Coarse.Allocate(4, SmoothingChoice::Cells * SmoothingChoice::Cells / 4);
   this->Costs.Reserve(SmoothingChoice::Candidates * sizeof(float));
   this->Radius.Reserve(2 * sizeof(float));
-  this->Profiles.Reserve(frames.size() * 4 * cells * sizeof(float));
-  this->Cells = table.GetCells();
   for (std::size_t i = 0; i < frames.size(); ++i)
   {
     const int layer = static_cast<int>(i);
     for (int axis = 0; axis < 2; ++axis)
     {
       this->Collect(frames[i], layer, axis, input, table);
-      this->ChooseRadius(table, input.Straight);
-      this->Smooth(table);
+      this->ChooseRadius(layer, axis, table, input.Straight);
+      this->Smooth(layer, axis, table);
       this->BuildFunctions(layer, axis, table);
     }
     this->Invert(layer, table);
@@ -150,7 +164,6 @@ void NonOrthogonalWarpStage::Collect(
   const LightFrame& frame, int layer, int axis, const AnalysisInput& input, const WarpTable& table)
 {
   const Program& program = this->Collecting(this->Used.Demand);
-  this->Collected.Clear();
   program.Use();
   this->Collected.BindStorage(0);
   input.Samples.Bind(program);
@@ -158,6 +171,8 @@ void NonOrthogonalWarpStage::Collect(
   BindLight(program, frame, input.Samples.GetView(), input.Stride);
   program.Set("rtwLayer", layer);
   program.Set("rtwAxis", axis);
+  program.Set("rtwFirst", this->FirstOf(layer, axis));
+  program.Set("rtwLineLength", this->LineLength);
   input.Blocks.Dispatch(program, input.Samples, input.Stride, layer);
 }
 
@@ -166,8 +181,14 @@ float NonOrthogonalWarpStage::Unit() const
   return this->Used.Demand ? 1.f : 1.f / CountUnit;
 }
 
+int NonOrthogonalWarpStage::FirstOf(int layer, int axis) const
+{
+  return (2 * layer + axis) * this->Cells * this->LineLength;
+}
+
 // Of the windows that lines are averaged in.
-void NonOrthogonalWarpStage::ChooseRadius(const WarpTable& table, double straight)
+void NonOrthogonalWarpStage::ChooseRadius(
+  int layer, int axis, const WarpTable& table, double straight)
 {
   if (!this->Used.Automatic)
   {
@@ -182,8 +203,11 @@ void NonOrthogonalWarpStage::ChooseRadius(const WarpTable& table, double straigh
   this->Collected.BindStorage(0);
   this->Coarse.BindStorage(1);
   this->Coarsening.Set("rtwUnit", this->Unit());
+  this->Coarsening.Set("rtwFirst", this->FirstOf(layer, axis));
+  this->Coarsening.Set("rtwLineLength", this->LineLength);
   Dispatch(SmoothingChoice::Cells);
   this->Costing.Use();
+  BindTexels(this->Costing, "rtwCoarse", this->Coarse);
   this->Costs.BindStorage(2);
   this->Costing.Set("rtwIsUnderRoot", this->Used.Demand ? 1 : 0);
   this->Costing.Set("rtwFloor", static_cast<float>(this->Used.Floor));
@@ -197,9 +221,8 @@ void NonOrthogonalWarpStage::ChooseRadius(const WarpTable& table, double straigh
   Dispatch(1);
 }
 
-void NonOrthogonalWarpStage::Smooth(const WarpTable& table)
+void NonOrthogonalWarpStage::Smooth(int layer, int axis, const WarpTable& table)
 {
-  this->Collected.BindStorage(0);
   this->Smoothed.BindStorage(1);
   this->Radius.BindStorage(2);
   for (int pass = 0; pass < Passes; ++pass)
@@ -207,9 +230,12 @@ void NonOrthogonalWarpStage::Smooth(const WarpTable& table)
     const Program& program = pass == 0 ? this->SmoothingFirst : this->Smoothing;
     program.Use();
     table.Bind(program);
+    BindTexels(program, pass == 0 ? "rtwCollected" : "rtwSmoothed",
+      pass == 0 ? this->Collected : this->Smoothed);
     program.Set("rtwUnit", this->Unit());
     program.Set("rtwPass", pass);
-    Dispatch(Groups(table.GetCells(), 32));
+    program.Set("rtwFirst", this->FirstOf(layer, axis));
+    Dispatch(Groups(this->LineLength / 4, 16));
   }
 }
 
@@ -217,12 +243,11 @@ void NonOrthogonalWarpStage::BuildFunctions(int layer, int axis, const WarpTable
 {
   this->Building.Use();
   table.Bind(this->Building);
-  this->Smoothed.BindStorage(0);
   table.GetGrid().BindStorage(1);
   this->Report.BindStorage(2);
-  this->Collected.BindStorage(3);
-  this->Profiles.BindStorage(4);
-  this->Building.Set("rtwUnit", this->Unit());
+  this->Totals.BindStorage(4);
+  BindTexels(this->Building, "rtwSmoothed", this->Smoothed);
+  this->Building.Set("rtwFirstSmoothed", (Passes - 1) % 2 * this->Cells * this->LineLength / 4);
   this->Building.Set("rtwLayer", layer);
   this->Building.Set("rtwAxis", axis);
   this->Building.Set("rtwIsUnderRoot", this->Used.Demand ? 1 : 0);
@@ -281,14 +306,31 @@ glm::dvec2 NonOrthogonalWarpStage::ReadGreatestDensity(int layer) const
   return density;
 }
 
-std::vector<float> NonOrthogonalWarpStage::ReadImportance(int layer) const
+std::vector<float> NonOrthogonalWarpStage::ReadImportance(int layer, const WarpTable& table) const
 {
   std::vector<float> values;
-  if (layer >= 0 && layer < this->Layers)
+  if (layer < 0 || layer >= this->Layers)
   {
-    values.resize(std::size_t(4) * this->Cells * this->Cells);
-    const std::size_t bytes = values.size() * sizeof(float);
-    this->Profiles.Read(layer * bytes, values.data(), bytes);
+    return values;
+  }
+  const std::size_t lines = std::size_t(2) * this->Cells; // of both axes
+  std::vector<std::uint32_t> collected(lines * this->LineLength * 2);
+  this->Collected.Read(this->FirstOf(layer, 0) / 2, collected.data(), collected.size() / 4);
+  std::vector<float> totals(lines);
+  const std::size_t bytes = lines * sizeof(float);
+  this->Totals.Read(layer * bytes, totals.data(), bytes);
+  const std::vector<float> grid = table.ReadGrid(layer);
+  values.reserve(2 * lines * this->Cells);
+  for (std::size_t line = 0; line < lines; ++line)
+  {
+    for (int cell = 0; cell < this->Cells; ++cell)
+    {
+      const std::uint32_t* parts = &collected[2 * (line * this->LineLength + cell)];
+      const double sum = this->Unit() * (parts[0] + 4294967296.0 * parts[1]);
+      const float* ends = &grid[2 * (line * this->Cells + cell)];
+      values.push_back(static_cast<float>(this->Used.Demand ? std::sqrt(sum) : sum));
+      values.push_back(totals[line] * (ends[1] - ends[0]));
+    }
   }
   return values;
 }
@@ -307,7 +349,7 @@ void NonOrthogonalWarpStage::Release()
   this->Costs.Release();
   this->Radius.Release();
   this->Report.Release();
-  this->Profiles.Release();
+  this->Totals.Release();
   this->Layers = 0;
 }
 
@@ -325,7 +367,7 @@ void NonOrthogonalWarpStage::Abandon()
   this->Costs.Abandon();
   this->Radius.Abandon();
   this->Report.Abandon();
-  this->Profiles.Abandon();
+  this->Totals.Abandon();
   this->Layers = 0;
 }
 }

@@ -6,6 +6,7 @@
 
 #include "rtwBuffer.h"
 #include "rtwProgram.h"
+#include "rtwTexelBuffer.h"
 #include "rtwWarpStage.h"
 
 #include <functional>
@@ -35,7 +36,7 @@ public:
   void Run(const std::vector<LightFrame>& frames, const AnalysisInput& input,
     const WarpTable& table) override;
   glm::dvec2 ReadGreatestDensity(int layer) const override;
-  std::vector<float> ReadImportance(int layer) const override;
+  std::vector<float> ReadImportance(int layer, const WarpTable& table) const override;
   void Release() override;
   void Abandon() override;
 
@@ -45,8 +46,9 @@ private:
     const WarpTable& table);
   float Unit() const; ///< of what is collected
   bool BuildChoosing();
-  void ChooseRadius(const WarpTable& table, double straight);
-  void Smooth(const WarpTable& table);
+  int FirstOf(int layer, int axis) const; ///< cell that is collected
+  void ChooseRadius(int layer, int axis, const WarpTable& table, double straight);
+  void Smooth(int layer, int axis, const WarpTable& table);
   void BuildFunctions(int layer, int axis, const WarpTable& table);
   void Invert(int layer, const WarpTable& table);
   void BuildPyramid(int layer, const WarpTable& table);
@@ -56,12 +58,15 @@ private:
   NonOrthogonalSettings Used; ///< by the frame at work
   Program Counting, CollectingDemand, SmoothingFirst, Smoothing, Coarsening, Costing, Choosing,
     Building, Inverting, Levelling, Tiling;
-  Buffer Collected, Smoothed;
-  Buffer Coarse, Costs, Radius; ///< the choice of smoothing
-  Buffer Profiles; ///< a layer, an axis, a line, a cell: importance as collected and as used
-  Buffer Report;   ///< a layer, an axis: the greatest slope
+  TexelBuffer Collected; ///< a layer, an axis, a line, a cell: low and high part of a sum
+  TexelBuffer Smoothed;
+  TexelBuffer Coarse;
+  Buffer Costs, Radius; ///< the choice of smoothing
+  Buffer Totals;        ///< a layer, an axis, a line: importance as it was used
+  Buffer Report;        ///< a layer, an axis: the greatest slope
   int Layers = 0;
   int Cells = 0;
+  int LineLength = 0; ///< of what is collected and smoothed
 };
 }
 

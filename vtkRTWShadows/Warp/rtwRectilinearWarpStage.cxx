@@ -137,7 +137,7 @@ glm::dvec2 RectilinearWarpStage::ReadGreatestDensity(int layer) const
   return { report[0], report[2] };
 }
 
-std::vector<float> RectilinearWarpStage::ReadImportance(int layer) const
+std::vector<float> RectilinearWarpStage::ReadImportance(int layer, const WarpTable&) const
 {
   std::vector<float> values;
   if (layer >= 0 && layer < this->Layers)

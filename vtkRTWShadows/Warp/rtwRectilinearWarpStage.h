@@ -45,7 +45,7 @@ public:
   void Run(const std::vector<LightFrame>& frames, const AnalysisInput& input,
     const WarpTable& table) override;
   glm::dvec2 ReadGreatestDensity(int layer) const override;
-  std::vector<float> ReadImportance(int layer) const override;
+  std::vector<float> ReadImportance(int layer, const WarpTable& table) const override;
   void Release() override;
   void Abandon() override;
 

@@ -2,10 +2,7 @@
 // where neighbouring functions differ. That shears texels, which makes them longer, and what is drawn straight strays from where it belongs.
 layout(local_size_x = COARSE_CELLS) in;
 
-layout(std430, binding = 1) readonly buffer Coarse
-{
-  float rtwCoarse[]; // a line, a cell: what is asked for
-};
+uniform samplerBuffer rtwCoarse; // a line, four cells: what is asked for
 layout(std430, binding = 2) writeonly buffer Costs
 {
   float rtwCosts[];
@@ -13,7 +10,6 @@ layout(std430, binding = 2) writeonly buffer Costs
 uniform int rtwIsUnderRoot;
 uniform float rtwFloor; // a share of the mean
 uniform float rtwBendCost;
-shared float rtwWeights[COARSE_CELLS];
 shared float rtwFunctions[COARSE_CELLS * (COARSE_CELLS + 1)];
 shared vec2 rtwTotals[COARSE_CELLS];
 
@@ -24,12 +20,17 @@ float rtwFunction(int l, int border)
   return rtwFunctions[clamp(l, 0, COARSE_CELLS - 1) * (COARSE_CELLS + 1) + border];
 }
 
-float rtwSmoothedCell(int cell)
+const int COARSE_QUADS = COARSE_CELLS / 4;
+
+// Four cells.
+vec4 rtwSmoothed(int quad)
 {
-  float sum = 0.0;
+  float sigma = rtwSmoothingOf(int(gl_WorkGroupID.x)) * float(COARSE_CELLS);
+  vec4 sum = vec4(0.0);
   for (int l = 0; l < COARSE_CELLS; ++l)
   {
-    sum += rtwWeights[abs(l - line)] * rtwCoarse[l * COARSE_CELLS + cell];
+    float away = float(l - line) / sigma;
+    sum += exp(-0.5 * away * away) * texelFetch(rtwCoarse, l * COARSE_QUADS + quad);
   }
   return rtwIsUnderRoot != 0 ? sqrt(sum) : sum;
 }
@@ -37,11 +38,14 @@ float rtwSmoothedCell(int cell)
 void rtwMakeFunction()
 {
   float all = 0.0;
-  for (int cell = 0; cell < COARSE_CELLS; ++cell)
+  for (int quad = 0; quad < COARSE_QUADS; ++quad)
   {
-    float value = rtwSmoothedCell(cell);
-    rtwFunctions[line * (COARSE_CELLS + 1) + cell] = value;
-    all += value;
+    vec4 values = rtwSmoothed(quad);
+    for (int k = 0; k < 4; ++k)
+    {
+      rtwFunctions[line * (COARSE_CELLS + 1) + 4 * quad + k] = values[k];
+    }
+    all += dot(values, vec4(1.0));
   }
   float least = rtwFloor * all / float(COARSE_CELLS);
   float sum = 0.0;
@@ -61,35 +65,40 @@ void rtwMakeFunction()
   rtwFunctions[line * (COARSE_CELLS + 1) + COARSE_CELLS] = 1.0;
 }
 
-// And what is asked for there.
-vec2 rtwCostOfCell(int cell)
+// The line before, this one and the next, at a border.
+vec3 rtwLinesAt(int border)
 {
-  float asked = rtwCoarse[line * COARSE_CELLS + cell];
-  vec3 at = vec3(0.0); // the line before, this one and the next, at the cell's middle
-  for (int k = -1; k <= 1; ++k)
-  {
-    at[k + 1] = 0.5 * (rtwFunction(line + k, cell) + rtwFunction(line + k, cell + 1));
-  }
+  return vec3(rtwFunction(line - 1, border), rtwFunction(line, border), rtwFunction(line + 1, border));
+}
+
+// And what is asked for there.
+vec2 rtwCostOfCell(float asked, vec3 low, vec3 high)
+{
+  vec3 at = 0.5 * (low + high); // the cell's middle
   float steps = line > 0 && line < COARSE_CELLS - 1 ? 2.0 : 1.0;
   float shear = SHEAR * (abs(at.y - at.x) + abs(at.z - at.y)) * float(COARSE_CELLS) / steps;
   float bend = steps > 1.5 ? abs(at.x - 2.0 * at.y + at.z) * float(COARSE_CELLS * COARSE_CELLS) : 0.0;
-  float density = (rtwFunction(line, cell + 1) - rtwFunction(line, cell)) * float(COARSE_CELLS);
+  float density = (high.y - low.y) * float(COARSE_CELLS);
   return vec2(asked / density * (sqrt(1.0 + shear * shear) + rtwBendCost * bend), asked);
 }
 
 void main()
 {
-  float sigma = rtwSmoothingOf(int(gl_WorkGroupID.x)) * float(COARSE_CELLS);
-  float away = float(line) / sigma;
-  rtwWeights[line] = exp(-0.5 * away * away);
-  barrier();
   rtwMakeFunction();
   barrier();
-  rtwTotals[line] = vec2(0.0);
-  for (int cell = 0; cell < COARSE_CELLS; ++cell)
+  vec2 cost = vec2(0.0);
+  vec3 low = vec3(0.0);
+  for (int quad = 0; quad < COARSE_QUADS; ++quad)
   {
-    rtwTotals[line] += rtwCostOfCell(cell);
+    vec4 asked = texelFetch(rtwCoarse, line * COARSE_QUADS + quad);
+    for (int k = 0; k < 4; ++k)
+    {
+      vec3 high = rtwLinesAt(4 * quad + k + 1);
+      cost += rtwCostOfCell(asked[k], low, high);
+      low = high;
+    }
   }
+  rtwTotals[line] = cost;
   barrier();
   if (line == 0)
   {

@@ -82,8 +82,8 @@ public:
   virtual glm::dvec2 ReadGreatestDensity(int layer) const = 0;
   /// Of each cell along s, then along t: the importance as it was collected, and as it was used.
   /// Of a warp that isn't separable, of each line's cells, line by line. Empty for a layer that
-  /// there isn't, and where the warp goes by none. Waits for the GPU.
-  virtual std::vector<float> ReadImportance(int) const { return {}; }
+  /// there isn't, and where the warp goes by none. From what Run() filled. Waits for the GPU.
+  virtual std::vector<float> ReadImportance(int, const WarpTable&) const { return {}; }
   virtual void Release() = 0;
   virtual void Abandon() = 0;
 };
