@@ -53,11 +53,6 @@ int ToDepthTest(DepthTest test)
   }
 }
 
-int ToBit(Importance importance)
-{
-  return 1 << static_cast<int>(importance); // vtkRectilinearShadowMapWarp has them in this order
-}
-
 static_assert(
   1 << static_cast<int>(Importance::SAMPLE_COUNT) == vtkRTWShadowMapPass::SAMPLE_COUNT &&
     1 << static_cast<int>(Importance::SQRT_DEMAND) == vtkRTWShadowMapPass::SQRT_DEMAND &&
@@ -66,7 +61,7 @@ static_assert(
     static_cast<int>(LightPlaneTurn::MINIMAL_FRUSTUM) ==
       vtkRTWShadowMapPass::TURN_MINIMAL_FRUSTUM &&
     static_cast<int>(Perspective::UNWARPED) == vtkPerspectiveShadowMapPass::UNWARPED &&
-    static_cast<int>(ResolutionSplit::AUTOMATIC) == vtkPerspectiveShadowMapPass::AUTOMATIC &&
+    static_cast<int>(ResolutionSplit::AUTOMATIC) == vtkPerspectiveShadowMapPass::SPLIT_AUTOMATIC &&
     static_cast<int>(Splits::SAMPLE_DISTRIBUTION) ==
       vtkCascadedShadowMapPass::SAMPLE_DISTRIBUTION &&
     static_cast<int>(SampleSource::PREVIOUS_FRAME) == vtkRTWShadowMapPass::PREVIOUS_FRAME &&
@@ -127,53 +122,6 @@ void Configure(vtkAdaptiveShadowMapPass* pass, const TechniqueSettings& settings
     pass->SetFocusOnView(*settings.Focus);
   }
 }
-}
-
-void ConfigureImportance(vtkRectilinearShadowMapWarp* warp, const TechniqueSettings& settings)
-{
-  int functions = 0;
-  for (const Importance importance : settings.ImportanceKinds)
-  {
-    functions |= ToBit(importance);
-  }
-  if (functions > 0)
-  {
-    warp->SetImportance(functions);
-  }
-  if (settings.AnalysisKind)
-  {
-    warp->SetAnalysis(static_cast<int>(*settings.AnalysisKind));
-  }
-  if (settings.EdgeThreshold)
-  {
-    warp->SetEdgeThreshold(*settings.EdgeThreshold);
-  }
-  if (settings.LightImage)
-  {
-    warp->SetLightImageResolution(*settings.LightImage);
-  }
-  if (settings.Interest)
-  {
-    warp->SetInterestToSphere();
-    warp->SetInterestCentre(settings.Interest->data());
-    warp->SetInterestRadius(settings.Interest->back());
-  }
-  if (settings.UserFunction)
-  {
-    warp->SetUserFunction(settings.UserFunction->c_str());
-  }
-  if (settings.CullEmptyCells)
-  {
-    warp->SetCullEmptyCells(*settings.CullEmptyCells);
-  }
-  if (settings.TemporalBlending)
-  {
-    warp->SetTemporalBlending(*settings.TemporalBlending);
-  }
-  if (settings.Snapping)
-  {
-    warp->SetSnapping(*settings.Snapping);
-  }
 }
 
 AdaptiveTechnique::AdaptiveTechnique(
@@ -272,54 +220,6 @@ std::unique_ptr<Technique> MakeRTWTechnique(const TechniqueSettings& settings)
 
 namespace
 {
-void ConfigureNoTW(vtkNonOrthogonalShadowMapWarp* warp, const TechniqueSettings& settings)
-{
-  for (const Importance importance : settings.ImportanceKinds)
-  {
-    if (importance == Importance::SAMPLE_COUNT)
-    {
-      warp->SetWeightsToCount();
-    }
-  }
-  if (settings.Smoothing)
-  {
-    warp->AutomaticSmoothingOff();
-    warp->SetSmoothing(*settings.Smoothing);
-  }
-  if (settings.Cells)
-  {
-    warp->SetImportanceResolution(*settings.Cells);
-  }
-}
-
-void ConfigurePerspective(vtkPerspectiveShadowMapWarp* warp, const TechniqueSettings& settings)
-{
-  if (settings.FocusPoint)
-  {
-    warp->SetFocusPoint(*settings.FocusPoint);
-  }
-  if (settings.Parameterization)
-  {
-    warp->SetParameterization(static_cast<int>(*settings.Parameterization));
-  }
-  if (settings.NearDistance)
-  {
-    warp->SetNearDistance(*settings.NearDistance);
-  }
-  if (settings.Eta)
-  {
-    warp->SetEta(*settings.Eta);
-  }
-  if (settings.Split)
-  {
-    warp->SetResolutionSplit(static_cast<int>(*settings.Split));
-  }
-  if (settings.SplitRatio)
-  {
-    warp->SetResolutionRatio(*settings.SplitRatio);
-  }
-}
-
 void SetLayerWarp(vtkAdaptiveShadowMapPass* pass, const TechniqueSettings& settings)
 {
   if (settings.Warping == LayerWarp::PERSPECTIVE)

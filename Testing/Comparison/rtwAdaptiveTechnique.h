@@ -9,6 +9,8 @@
 #include <vtkShadowRenderStepsPass.h>
 #include <vtkSmartPointer.h>
 
+class vtkNonOrthogonalShadowMapWarp;
+class vtkPerspectiveShadowMapWarp;
 class vtkRectilinearShadowMapWarp;
 
 namespace rtw
@@ -35,8 +37,10 @@ private:
   vtkRenderer* Renderer = nullptr;
 };
 
-/// What of the settings a rectilinear warp has.
+/// What of the settings a warp has.
 void ConfigureImportance(vtkRectilinearShadowMapWarp* warp, const TechniqueSettings& settings);
+void ConfigureNoTW(vtkNonOrthogonalShadowMapWarp* warp, const TechniqueSettings& settings);
+void ConfigurePerspective(vtkPerspectiveShadowMapWarp* warp, const TechniqueSettings& settings);
 }
 
 #endif

@@ -371,9 +371,9 @@ void TestBadInput()
   pass->SetResolutionSplit(4);
   RTW_CHECK_EQUAL(messages.GetNumberOfErrors(), 8);
   RTW_CHECK_EQUAL(pass->GetResolutionRatio(), 1.0);
-  RTW_CHECK_EQUAL(pass->GetResolutionSplit(), vtkPerspectiveShadowMapPass::AUTOMATIC);
+  RTW_CHECK_EQUAL(pass->GetResolutionSplit(), vtkPerspectiveShadowMapPass::SPLIT_AUTOMATIC);
   pass->SetResolutionRatio(2);
-  RTW_CHECK_EQUAL(warp->GetResolutionSplit(), vtkPerspectiveShadowMapWarp::BY_RATIO);
+  RTW_CHECK_EQUAL(warp->GetResolutionSplit(), vtkPerspectiveShadowMapWarp::SPLIT_BY_RATIO);
 }
 }
 
@@ -386,7 +386,7 @@ int TestPerspectiveSplit(int, char*[])
   TestRim();
   TestLightsAndMappers();
   for (const int split :
-    { vtkPerspectiveShadowMapPass::CRITICAL, vtkPerspectiveShadowMapPass::AUTOMATIC })
+    { vtkPerspectiveShadowMapPass::SPLIT_CRITICAL, vtkPerspectiveShadowMapPass::SPLIT_AUTOMATIC })
   {
     TestSweep(split);
     TestChanges(split);

@@ -130,9 +130,9 @@ class TestSwitch(unittest.TestCase):
         for word in ("square", "critical", "automatic"):
             shadows = rtwshadows.enable_shadows(
                 plotter, "perspective", 128, resolution_split=word)
-            self.assertEqual(shadows.GetResolutionSplit(), getattr(shadows, word.upper()))
+            self.assertEqual(shadows.GetResolutionSplit(), getattr(shadows, f"SPLIT_{word.upper()}"))
         shadows = rtwshadows.enable_shadows(plotter, "perspective", 128, resolution_ratio=0.5)
-        self.assertEqual(shadows.GetResolutionSplit(), shadows.BY_RATIO)
+        self.assertEqual(shadows.GetResolutionSplit(), shadows.SPLIT_BY_RATIO)
         plotter.picture()
         self.assertEqual(shadows.GetShadowMapImage(0, 0).GetDimensions(), (90, 181, 1))
 

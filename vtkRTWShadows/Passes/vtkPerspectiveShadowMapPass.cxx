@@ -8,7 +8,8 @@ vtkStandardNewMacro(vtkPerspectiveShadowMapPass);
 
 static_assert(int(vtkPerspectiveShadowMapPass::BY_NEAR_DISTANCE) ==
       int(vtkPerspectiveShadowMapWarp::BY_NEAR_DISTANCE) &&
-    int(vtkPerspectiveShadowMapPass::BY_RATIO) == int(vtkPerspectiveShadowMapWarp::BY_RATIO),
+    int(vtkPerspectiveShadowMapPass::SPLIT_BY_RATIO) ==
+      int(vtkPerspectiveShadowMapWarp::SPLIT_BY_RATIO),
   "the enumerations end alike");
 
 vtkPerspectiveShadowMapPass::vtkPerspectiveShadowMapPass()

@@ -41,10 +41,10 @@ public:
    */
   enum ResolutionSplits
   {
-    SQUARE = 0,
-    CRITICAL = 1,
-    AUTOMATIC = 2,
-    BY_RATIO = 3
+    SPLIT_SQUARE = 0,
+    SPLIT_CRITICAL = 1,
+    SPLIT_AUTOMATIC = 2,
+    SPLIT_BY_RATIO = 3
   };
 
   ///@{
@@ -67,10 +67,10 @@ public:
   void SetFocusPoint(double share);
   double GetFocusPoint();
   void SetResolutionSplit(int split);
-  void SetResolutionSplitToSquare() { this->SetResolutionSplit(SQUARE); }
-  void SetResolutionSplitToCritical() { this->SetResolutionSplit(CRITICAL); }
-  void SetResolutionSplitToAutomatic() { this->SetResolutionSplit(AUTOMATIC); }
-  void SetResolutionSplitToByRatio() { this->SetResolutionSplit(BY_RATIO); }
+  void SetResolutionSplitToSquare() { this->SetResolutionSplit(SPLIT_SQUARE); }
+  void SetResolutionSplitToCritical() { this->SetResolutionSplit(SPLIT_CRITICAL); }
+  void SetResolutionSplitToAutomatic() { this->SetResolutionSplit(SPLIT_AUTOMATIC); }
+  void SetResolutionSplitToByRatio() { this->SetResolutionSplit(SPLIT_BY_RATIO); }
   int GetResolutionSplit();
   void SetResolutionRatio(double ratio);
   double GetResolutionRatio();

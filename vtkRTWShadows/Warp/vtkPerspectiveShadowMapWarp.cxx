@@ -76,11 +76,12 @@ void vtkPerspectiveShadowMapWarp::SetFocusPoint(double share)
 
 void vtkPerspectiveShadowMapWarp::SetResolutionSplit(int split)
 {
-  if (split < SQUARE || split > BY_RATIO)
+  if (split < SPLIT_SQUARE || split > SPLIT_BY_RATIO)
   {
-    vtkErrorMacro("SetResolutionSplit("
-      << split << "): expected SQUARE (0), CRITICAL (1), AUTOMATIC (2) or BY_RATIO (3); keeping "
-      << this->ResolutionSplit);
+    vtkErrorMacro("SetResolutionSplit(" << split
+                                        << "): expected SPLIT_SQUARE (0), SPLIT_CRITICAL (1), "
+                                           "SPLIT_AUTOMATIC (2) or SPLIT_BY_RATIO (3); keeping "
+                                        << this->ResolutionSplit);
     return;
   }
   if (this->ResolutionSplit != split)
@@ -103,7 +104,7 @@ void vtkPerspectiveShadowMapWarp::SetResolutionRatio(double ratio)
     this->ResolutionRatio = ratio;
     this->Modified();
   }
-  this->SetResolutionSplit(BY_RATIO);
+  this->SetResolutionSplit(SPLIT_BY_RATIO);
 }
 
 std::unique_ptr<rtw::WarpStage> vtkPerspectiveShadowMapWarp::MakeStage()
@@ -112,11 +113,11 @@ std::unique_ptr<rtw::WarpStage> vtkPerspectiveShadowMapWarp::MakeStage()
     using Split = rtw::SplitSettings;
     switch (this->ResolutionSplit)
     {
-      case CRITICAL:
+      case SPLIT_CRITICAL:
         return Split{ Split::Critical, 1 };
-      case AUTOMATIC:
+      case SPLIT_AUTOMATIC:
         return Split{ Split::LeastError, 1 };
-      case BY_RATIO:
+      case SPLIT_BY_RATIO:
         return Split{ Split::Given, this->ResolutionRatio };
       default:
         return Split{ Split::Given, 1 };

@@ -97,10 +97,10 @@ public:
    */
   enum ResolutionSplits
   {
-    SQUARE = 0,    ///< as many along both
-    CRITICAL = 1,  ///< in the ratio of the critical resolution: Equations 13 and 14
-    AUTOMATIC = 2, ///< in the ratio that the least error is predicted for
-    BY_RATIO = 3   ///< that of ResolutionRatio
+    SPLIT_SQUARE = 0,    ///< as many along both
+    SPLIT_CRITICAL = 1,  ///< in the ratio of the critical resolution: Equations 13 and 14
+    SPLIT_AUTOMATIC = 2, ///< in the ratio that the least error is predicted for
+    SPLIT_BY_RATIO = 3   ///< that of ResolutionRatio
   };
 
   ///@{
@@ -109,33 +109,34 @@ public:
    * than the square of the pass's Resolution, so that all splits are of one memory; all lights' and
    * layers' maps have one size.
    *
-   * With CRITICAL the greatest perspective aliasing errors along s and t become equal: those of
-   * Equations 9 and 10 in what the view's frustum shows of the scene's bounds, for the light's
+   * With SPLIT_CRITICAL the greatest perspective aliasing errors along s and t become equal: those
+   * of Equations 9 and 10 in what the view's frustum shows of the scene's bounds, for the light's
    * direction as it is, in the geometric mean of lights and layers. That knows nothing of surfaces:
    * where these stand slantwise in the light, texels are as much too wide on them, and the error
-   * may grow. With AUTOMATIC they are taken into account: it is the ratio with the least error
-   * predicted, as vtkInspectableShadowMapPass::GetPredictedError has it, from the shadow edges of
-   * frames before; the first frame is drawn once more where that helps. Without a mask
+   * may grow. With SPLIT_AUTOMATIC they are taken into account: it is the ratio with the least
+   * error predicted, as vtkInspectableShadowMapPass::GetPredictedError has it, from the shadow
+   * edges of frames before; the first frame is drawn once more where that helps. Without a mask
    * (multisampling, view samples of the previous frame) maps stay square.
    *
    * Both ratios are powers of the fourth root of 2 that stay until another is clearly better: by
    * three quarters of such a step, or by 2 % of the error, so that nothing pops under a moving
    * camera. Maps of layers that keep still (see vtkDepthSplitShadowMapPartition::SetStable) are
    * square, and a side longer than the GPU's longest is as long as that.
-   * Default: AUTOMATIC.
+   * Default: SPLIT_AUTOMATIC.
    */
   virtual void SetResolutionSplit(int split);
   vtkGetMacro(ResolutionSplit, int);
-  void SetResolutionSplitToSquare() { this->SetResolutionSplit(SQUARE); }
-  void SetResolutionSplitToCritical() { this->SetResolutionSplit(CRITICAL); }
-  void SetResolutionSplitToAutomatic() { this->SetResolutionSplit(AUTOMATIC); }
-  void SetResolutionSplitToByRatio() { this->SetResolutionSplit(BY_RATIO); }
+  void SetResolutionSplitToSquare() { this->SetResolutionSplit(SPLIT_SQUARE); }
+  void SetResolutionSplitToCritical() { this->SetResolutionSplit(SPLIT_CRITICAL); }
+  void SetResolutionSplitToAutomatic() { this->SetResolutionSplit(SPLIT_AUTOMATIC); }
+  void SetResolutionSplitToByRatio() { this->SetResolutionSplit(SPLIT_BY_RATIO); }
   ///@}
 
   ///@{
   /**
-   * How many times as many texels along s as along t. Setting it sets ResolutionSplit to BY_RATIO.
-   * From 1/16 to 16; anything else is refused with an error, and nothing changes. Default: 1.
+   * How many times as many texels along s as along t. Setting it sets ResolutionSplit to
+   * SPLIT_BY_RATIO. From 1/16 to 16; anything else is refused with an error, and nothing changes.
+   * Default: 1.
    */
   virtual void SetResolutionRatio(double ratio);
   vtkGetMacro(ResolutionRatio, double);
@@ -153,7 +154,7 @@ protected:
   double Eta = 0;
   double NearDistance = 1;
   double FocusPoint = 0.1;
-  int ResolutionSplit = AUTOMATIC;
+  int ResolutionSplit = SPLIT_AUTOMATIC;
   double ResolutionRatio = 1;
 
 private:
