@@ -62,6 +62,7 @@ float rtwVisibilityOn(int light, int layer, vec4 focus, vec4 l, vec3 dx, vec3 dy
 #if RTW_PARTS > 1
 uniform vec4 rtwBeams[RTW_LIGHTS]; // as rtwFaceAt() has them
 
+#if RTW_BLENDS
 // How far the layer at a depth has given way to the next.
 float rtwShareOfNext(int first, float depth)
 {
@@ -73,6 +74,7 @@ float rtwShareOfNext(int first, float depth)
   }
   return depth > band.x && depth < band.y && band.x > 0.0 ? (depth - band.x) / (band.y - band.x) : 0.0;
 }
+#endif
 
 // Beside a seam there is what no view sample knew of, as between samples or those of a pixel: the next layer that holds it will do, the
 // farther of two. With its focus, which is at hand here: to look for it by the layer's number costs more.
@@ -112,6 +114,7 @@ float rtwVisibility(int light, vec4 l, vec3 dx, vec3 dy, vec3 p)
     int wanted = rtwLayerAt(first, RTW_PARTS, p, rtwBeams[light]);
     vec4 focus;
     int layer = rtwLayerThatHolds(wanted, first, l.xy, focus);
+#if RTW_BLENDS
     int next = min(wanted + rtwFaces, first + RTW_PARTS - 1);
     float share = rtwShareOfNext(first, -p.z);
     // A loop, since some drivers go through both branches of a condition: nearly no receiver lies in a band.
@@ -126,6 +129,9 @@ float rtwVisibility(int light, vec4 l, vec3 dx, vec3 dy, vec3 p)
       weight = share;
       --lookups;
     } while (lookups > 0);
+#else
+    visibility = rtwVisibilityOn(light, layer, focus, l, dx, dy, area);
+#endif
 #else
     visibility = rtwVisibilityOn(light, first, rtwFocusOf(first), l, dx, dy, area);
 #endif

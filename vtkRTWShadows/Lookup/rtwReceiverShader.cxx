@@ -179,7 +179,7 @@ bool ReceiverShape::operator==(const ReceiverShape& other) const
     (this->Warp.Name && other.Warp.Name && !std::strcmp(this->Warp.Name, other.Warp.Name));
   return sameWarp && this->Switched == other.Switched && this->Filter == other.Filter &&
     this->DepthTest == other.DepthTest && this->OtherLayers == other.OtherLayers &&
-    this->Parts == other.Parts && this->Faces == other.Faces;
+    this->Parts == other.Parts && this->Faces == other.Faces && this->Blends == other.Blends;
 }
 
 void MarkPlaces(std::string& fragment)
@@ -201,8 +201,8 @@ std::string DefinitionsOf(const ReceiverShape& shape)
   return "#define RTW_LIGHTS " + std::to_string(shape.Switched.size()) + "\n#define RTW_FILTER " +
     std::to_string(shape.Filter) + "\n#define RTW_DEPTH_TEST " + std::to_string(shape.DepthTest) +
     "\n#define RTW_PARTS " + std::to_string(shape.Parts) + "\n#define RTW_FACES " +
-    std::to_string(shape.Faces) + "\n#define RTW_OTHER_LAYERS " +
-    (shape.OtherLayers ? "1\n" : "0\n");
+    std::to_string(shape.Faces) + "\n#define RTW_BLENDS " + (shape.Blends ? "1" : "0") +
+    "\n#define RTW_OTHER_LAYERS " + (shape.OtherLayers ? "1\n" : "0\n");
 }
 
 std::string LookupCode(const ReceiverShape& shape)

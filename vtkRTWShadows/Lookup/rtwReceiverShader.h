@@ -40,6 +40,7 @@ struct ReceiverShape
   bool OtherLayers = false; ///< whether some casters have layers of their own
   int Parts = 1;            ///< layers a light, those aside
   int Faces = 1;            ///< of which so many have the same depths
+  bool Blends = false;      ///< whether a layer gives way to the next little by little
 
   bool operator==(const ReceiverShape& other) const;
 };

@@ -34,6 +34,7 @@ public:
     return this->Settings().Layers * this->GetNumberOfFaces();
   }
   int GetNumberOfFaces() const override { return this->Settings().Faces ? 4 : 1; }
+  bool Blends() const override { return this->Settings().Blend > 0; }
   bool NeedsViewSamples() const override { return !this->Settings().Steady; }
   bool Build() override;
   std::string GetLog() const override;

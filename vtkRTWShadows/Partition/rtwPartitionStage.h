@@ -43,6 +43,8 @@ public:
   virtual int GetNumberOfLayers() const = 0; ///< of a light
   /// Of the view frustum that each depth is divided among; layers of a depth stand together.
   virtual int GetNumberOfFaces() const { return 1; }
+  /// Whether a layer gives way to the next little by little.
+  virtual bool Blends() const { return false; }
   virtual bool NeedsViewSamples() const = 0;
   /// Compiles; false, with the reason in GetLog(), where the driver can't.
   virtual bool Build() = 0;

@@ -116,6 +116,7 @@ public:
   int CountParts(std::size_t lights) const;
   /// Of so many layers, how many have the same depths.
   int CountFaces(int parts) const;
+  bool BlendsLayers() const { return this->Partition->Blends(); }
   const View& GetView() const { return this->Viewed; }
   const DenseLayers& GetLayers() const { return this->Layers; }
   /// Whether the last frame drew the lights' own layers.

@@ -177,7 +177,7 @@ void vtkAdaptiveShadowMapPass::Bake(const vtkRenderState* s)
   my.Options.SamplesAPixel = my.Options.Masked ? samples : 1;
   rtw::ReceiverShape shape{ my.Pipeline.GetShape(), {}, this->Filter, this->DepthTest,
     my.Pipeline.CountOtherLayers(my.Scene, lights * parts) > 0, parts,
-    my.Pipeline.CountFaces(parts) };
+    my.Pipeline.CountFaces(parts), my.Pipeline.BlendsLayers() };
   for (const rtw::ShadowLight& light : my.Lights.Shadowing)
   {
     shape.Switched.push_back(light.Switched);
