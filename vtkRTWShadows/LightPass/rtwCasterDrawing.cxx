@@ -50,6 +50,7 @@ constexpr std::size_t CoverBytes = 32;
 // What is set up at a time, so that the memory which that takes is bounded.
 constexpr int MostClusters = 128;
 constexpr std::size_t MostCovers = 3072; // of a cluster
+static_assert(CasterDrawing::TexelsOfTiles == CoverBytes / 16 * MostClusters * MostCovers, "room");
 // Tiles have the room of all together, and some clusters' few large triangles need thousands.
 constexpr int MostClustersInTiles = 64;
 constexpr std::size_t FinePatches =

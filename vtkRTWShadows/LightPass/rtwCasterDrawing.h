@@ -24,6 +24,8 @@ namespace rtw
 class CasterDrawing
 {
 public:
+  /// Of a buffer texture, that a warp with a grid asks for at least.
+  static constexpr int TexelsOfTiles = 786432;
   /// Compiles for that warp; false, with the reason in GetLog(), where the driver can't.
   bool Build(const WarpShape& warp, TableAccess access);
   std::string GetLog() const;

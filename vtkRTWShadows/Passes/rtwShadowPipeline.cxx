@@ -109,6 +109,15 @@ bool ShadowPipeline::Build()
       std::to_string(this->Can.Minor) + " has no compute shaders (4.3 has)";
     return false;
   }
+  if (this->Warp->GetShape().Kind == WarpKind::Grid &&
+    this->Can.MaximumTexels < CasterDrawing::TexelsOfTiles)
+  {
+    this->Problem = "a buffer texture holds no more than " +
+      std::to_string(this->Can.MaximumTexels) +
+      " texels, of which a warp that isn't separable needs " +
+      std::to_string(CasterDrawing::TexelsOfTiles);
+    return false;
+  }
   const bool built = this->Sampler.Build() && this->Focus.Build() && this->Warp->Build() &&
     this->Partition->Build() &&
     this->Casters.Build(this->Warp->GetShape(),
