@@ -15,11 +15,11 @@ constexpr float AllowedBendInTexels = 0.0625f;
 constexpr float LeastBendInTexels = 0.005f;
 // Of the distance at which a spot's depths start: what is nearer is part of the lamp.
 constexpr double NearestWShare = 0.01;
+}
 
 float NearestW(const LightFrame& frame)
 {
   return frame.Light.Kind == LightKind::Spot ? float(NearestWShare * frame.NearestDistance) : 0.5f;
-}
 }
 
 float CasterLayer::LeastBend() const

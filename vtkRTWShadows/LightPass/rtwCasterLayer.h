@@ -42,6 +42,10 @@ struct CasterCounts
   unsigned int Culled = 0;
 };
 
+/// The least w, as LightFrame has it, of what casts a shadow: what is nearer to a spot is part of
+/// it.
+float NearestW(const LightFrame& frame);
+
 struct CasterLayer
 {
   const GeometryStore& Store;

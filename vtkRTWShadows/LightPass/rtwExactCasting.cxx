@@ -27,8 +27,6 @@ namespace rtw
 {
 namespace
 {
-// As in CasterDrawing.
-constexpr double NearestWShare = 0.01;
 constexpr double Rounding = 1e-6; // of the scene's size
 
 constexpr int ClustersAtATime = 256;
@@ -40,11 +38,6 @@ constexpr std::size_t StepBytes = 16;
 constexpr std::size_t TestStep = 16, ClusterStep = 17;
 constexpr std::size_t OverflowAt = 79;
 constexpr std::size_t QueueStart = 80;
-
-float NearestW(const LightFrame& frame)
-{
-  return frame.Light.Kind == LightKind::Spot ? float(NearestWShare * frame.NearestDistance) : 0.5f;
-}
 }
 
 std::array<Program*, 4> ExactCasting::Programs()

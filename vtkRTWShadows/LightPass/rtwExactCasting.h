@@ -6,7 +6,7 @@
 #define rtwExactCasting_h
 
 #include "rtwBuffer.h"
-#include "rtwCasterDrawing.h"
+#include "rtwCasterLayer.h"
 #include "rtwProgram.h"
 #include "rtwReadback.h"
 #include "rtwWarpStage.h"

@@ -66,13 +66,13 @@ uniform vec4 rtwBeams[RTW_LIGHTS]; // as rtwFaceAt() has them
 // How far the layer at a depth has given way to the next.
 float rtwShareOfNext(int first, float depth)
 {
-  vec2 band = vec2(0.0, 1.0);
+  vec2 band = vec2(1.0, 0.0); // holds nothing
   for (int k = rtwFaces; k < RTW_PARTS; k += rtwFaces)
   {
     vec2 here = vec2(rtwBlendStart(first + k), rtwIntervalOf(first + k).x);
     band = depth > here.x && depth < here.y ? here : band;
   }
-  return depth > band.x && depth < band.y && band.x > 0.0 ? (depth - band.x) / (band.y - band.x) : 0.0;
+  return depth > band.x && depth < band.y ? (depth - band.x) / (band.y - band.x) : 0.0;
 }
 #endif
 

@@ -4,7 +4,7 @@
 #ifndef rtwMaskSource_h
 #define rtwMaskSource_h
 
-#include "rtwCasterDrawing.h"
+#include "rtwCasterLayer.h"
 #include "rtwReceiverShader.h"
 #include "rtwView.h"
 #include "rtwWarpTable.h"
