@@ -22,15 +22,13 @@ function (run_clean)
   set(output "${output}" PARENT_SCOPE)
 endfunction ()
 
-foreach (program IN ITEMS shadow-benchmark shadow-report)
-  run_clean("LD_LIBRARY_PATH=${top}/lib:${top}/lib-x" ldd "bin/${program}")
-  string(REPLACE "\n" ";" lines "${output}")
-  foreach (line IN LISTS lines)
-    if (line MATCHES "not found" OR (line MATCHES "lib(vtk|embree|benchmark|stdc|gcc_s|GLEW)"
-        AND NOT line MATCHES "${top}/lib"))
-      message(FATAL_ERROR "${program} needs what is not in the archive:${line}")
-    endif ()
-  endforeach ()
+run_clean("LD_LIBRARY_PATH=${top}/lib:${top}/lib-x" ldd bin/shadow-benchmark)
+string(REPLACE "\n" ";" lines "${output}")
+foreach (line IN LISTS lines)
+  if (line MATCHES "not found" OR (line MATCHES "lib(vtk|embree|benchmark|stdc|gcc_s|GLEW)"
+      AND NOT line MATCHES "${top}/lib"))
+    message(FATAL_ERROR "shadow-benchmark needs what is not in the archive:${line}")
+  endif ()
 endforeach ()
 
 run_clean(./run --quick --family maps --scene robot --resolution 64 --size 64x64 --frames 1
