@@ -82,7 +82,6 @@ std::unique_ptr<rtw::Technique> MakeShifted(const rtw::TechniqueSettings& settin
 {
   vtkNew<vtkRTWShadowMapPass> pass;
   vtkNew<ShiftedWarp> warp;
-  rtw::ConfigureImportance(warp, settings);
   pass->SetWarp(warp);
   return std::make_unique<rtw::AdaptiveTechnique>(pass, settings);
 }
@@ -90,7 +89,6 @@ std::unique_ptr<rtw::Technique> MakeShifted(const rtw::TechniqueSettings& settin
 std::unique_ptr<rtw::Technique> MakeBiased(const rtw::TechniqueSettings& settings)
 {
   vtkNew<vtkRTWShadowMapPass> pass;
-  rtw::ConfigureImportance(pass->GetRectilinearWarp(), settings);
   pass->SetDepthTestToConstantBias();
   pass->SetConstantBias(0.02);
   return std::make_unique<rtw::AdaptiveTechnique>(pass, settings);
@@ -129,7 +127,6 @@ private:
 std::unique_ptr<rtw::Technique> MakeSlow(const rtw::TechniqueSettings& settings)
 {
   vtkNew<vtkRTWShadowMapPass> pass;
-  rtw::ConfigureImportance(pass->GetRectilinearWarp(), settings);
   return std::make_unique<SlowTechnique>(pass, settings);
 }
 

@@ -4,6 +4,7 @@
 
 #include "rtwCommandLine.h"
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,12 +27,9 @@ struct Options
   std::string OutputFile;
   std::string Fault; // none if empty
   bool List = false;
-  bool Help = false;
 };
 
-/// Throws rtw::UsageError.
-Options ParseOptions(int argc, char* argv[]);
-
-std::string HelpText();
+/// None where only the help was asked for, which is printed then. Throws rtw::UsageError.
+std::optional<Options> ParseOptions(int argc, char* argv[]);
 
 #endif

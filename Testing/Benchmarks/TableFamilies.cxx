@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Families.h"
 
-#include "rtwTechniqueNames.h"
-
 #include <algorithm>
 
 namespace
@@ -18,9 +16,8 @@ struct Variant
 // Whether it takes something of the last frame: its samples, or, at shadow edges, its mask.
 bool LooksBack(const rtw::TechniqueSettings& settings)
 {
-  const auto& kinds = settings.ImportanceKinds;
-  return settings.Samples == rtw::SampleSource::PREVIOUS_FRAME ||
-    std::find(kinds.begin(), kinds.end(), rtw::Importance::SHADOW_EDGE) != kinds.end();
+  return settings.Get("view-samples") == "previous-frame" ||
+    settings.Get("importance").find("edges") != std::string::npos;
 }
 
 // Yardsticks, and variants of rtw.
@@ -38,7 +35,7 @@ std::vector<Contestant> Beside(const std::vector<Variant>& variants)
 Contestant WholeScene(const char* variant, std::optional<int> resolution = {})
 {
   Contestant uniform = { "uniform", false, "", variant, {}, resolution };
-  uniform.Settings.Focus = false;
+  uniform.Settings.Set("focus", "off");
   return uniform;
 }
 
@@ -70,19 +67,19 @@ std::vector<int> Resolutions(const Options& options, int all, int quick)
 std::vector<Variant> Rasterizations(const rtw::TechniqueSettings& settings)
 {
   std::vector<Variant> variants;
-  for (const auto& [name, rasterization] : rtw::RasterizationNames())
+  for (const std::string& name : rtw::FindSetting("rasterization").Choices)
   {
     Variant variant{ name, settings };
-    variant.Settings.Rasterizing = rasterization;
-    if (rasterization != rtw::Rasterization::TESSELLATED)
+    variant.Settings.Set("rasterization", name);
+    if (name != "tessellated")
     {
       variants.push_back(variant);
       continue;
     }
-    for (const auto& [length, percent] : { std::pair(0.05, "5"), { 0.025, "2.5" }, { 0.01, "1" } })
+    for (const auto& [length, percent] : { std::pair("0.05", "5"), { "0.025", "2.5" }, { "0.01", "1" } })
     {
       variant.Name = name + "-" + percent;
-      variant.Settings.EdgeLength = length;
+      variant.Settings.Set("edge-length", length);
       variants.push_back(variant);
     }
   }
@@ -92,17 +89,11 @@ std::vector<Variant> Rasterizations(const rtw::TechniqueSettings& settings)
 Variant Function(const std::string& analysis, const std::string& importance)
 {
   Variant variant{ analysis + "+" + importance, {} };
-  for (const auto& [name, value] : rtw::AnalysisNames())
-  {
-    if (name == analysis)
-    {
-      variant.Settings.AnalysisKind = value;
-    }
-  }
-  variant.Settings.ImportanceKinds = rtw::ReadImportance("importance", importance);
+  variant.Settings.Set("analysis", analysis);
+  variant.Settings.Set("importance", importance);
   if (importance == "user")
   {
-    variant.Settings.UserFunction = "luminance";
+    variant.Settings.Set("user-function", "luminance");
   }
   return variant;
 }
@@ -117,8 +108,8 @@ Setups MakePaper(const Options& options)
   {
     for (Variant& variant : Rasterizations(Function(analysis, importance).Settings))
     {
-      const auto how = *variant.Settings.Rasterizing;
-      if (how == rtw::Rasterization::LINEAR || how == rtw::Rasterization::TESSELLATED)
+      const std::string how = variant.Settings.Get("rasterization");
+      if (how == "linear" || how == "tessellated")
       {
         variant.Name = analysis + ("+" + variant.Name);
         variants.push_back(variant);
@@ -142,17 +133,15 @@ Setups MakePaper(const Options& options)
 Setups MakeFunctions(const Options& options)
 {
   Strings products = { "published", "published+edges", "sqrt-demand+edges" };
-  for (const auto& [name, importance] : rtw::ImportanceNames())
-  {
-    products.push_back(name);
-  }
+  const Strings& single = rtw::FindSetting("importance").Choices;
+  products.insert(products.end(), single.begin(), single.end());
   std::vector<Variant> variants;
-  for (const auto& [analysis, kind] : rtw::AnalysisNames())
+  for (const std::string& analysis : rtw::FindSetting("analysis").Choices)
   {
     for (const std::string& product : products)
     {
       // Without edges a hybrid analysis is the backward one.
-      if (kind != rtw::Analysis::HYBRID || product.find("edges") != std::string::npos)
+      if (analysis != "hybrid" || product.find("edges") != std::string::npos)
       {
         variants.push_back(Function(analysis, product));
       }
@@ -187,19 +176,22 @@ Setups MakeRasterizations(const Options& options)
 Setups MakeFilters(const Options& options)
 {
   std::vector<Variant> variants;
-  const auto add = [&](const std::string& name, rtw::Filter filter, std::optional<double> radius) {
-    rtw::TechniqueSettings settings;
-    settings.Filtering = filter;
-    settings.FilterRadius = radius;
-    variants.push_back({ name, settings });
+  const auto add = [&](const std::string& filter, const std::string& radius) {
+    Variant variant{ filter + (radius.empty() ? "" : "-" + radius), {} };
+    variant.Settings.Set("filter", filter);
+    if (!radius.empty())
+    {
+      variant.Settings.Set("filter-radius", radius);
+    }
+    variants.push_back(variant);
   };
-  add("nearest", rtw::Filter::NEAREST, {});
-  add("bilinear", rtw::Filter::BILINEAR, {});
-  for (const int radius : { 1, 2, 4, 8 })
+  add("nearest", "");
+  add("bilinear", "");
+  for (const char* radius : { "1", "2", "4", "8" })
   {
-    add("pcf-" + std::to_string(radius), rtw::Filter::PCF, radius);
+    add("pcf", radius);
   }
-  add("soft-0.1", rtw::Filter::SOFT, 0.1);
+  add("soft", "0.1");
   Setups setups;
   for (const auto& [name, motion] :
     { std::pair("camera", Motion::CAMERA), { "nothing", Motion::NOTHING } })
@@ -219,10 +211,10 @@ Setups MakeFilters(const Options& options)
 Setups MakeViewSamples(const Options& options)
 {
   std::vector<Variant> variants;
-  for (const auto& [name, source] : rtw::SampleSourceNames())
+  for (const std::string& source : rtw::FindSetting("view-samples").Choices)
   {
-    variants.push_back({ name, {} });
-    variants.back().Settings.Samples = source;
+    variants.push_back({ source, {} });
+    variants.back().Settings.Set("view-samples", source);
   }
   Setups setups = Grid("view-samples", options,
     Chosen<std::string>(options, options.Scenes, { "town", "playground" }, { "robot" }),
@@ -247,7 +239,7 @@ Setups MakeClaims(const Options& options)
   error.insert(error.end(), { at(rtw, 512), WholeScene("whole-scene", 2048) });
   Contestant snapping = at(rtw, 1024);
   snapping.Variant = "snapping";
-  snapping.Settings.Snapping = true;
+  snapping.Settings.Set("snapping", "on");
   snapping.LeadsIn = true;
   flicker.insert(
     flicker.end(), { at(rtw, 1024), snapping, at(rtw, 2048), at({ "uniform" }, 4096) });

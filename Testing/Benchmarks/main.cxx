@@ -104,12 +104,7 @@ int Run(const Options& options)
 int main(int argc, char* argv[])
 {
   return rtw::RunProgram("shadow-benchmark", [&] {
-    const Options options = ParseOptions(argc, argv);
-    if (options.Help)
-    {
-      std::fputs(HelpText().c_str(), stdout);
-      return 0;
-    }
-    return Run(options);
+    const std::optional<Options> options = ParseOptions(argc, argv);
+    return options ? Run(*options) : 0;
   });
 }

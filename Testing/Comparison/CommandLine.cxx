@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rtwCommandLine.h"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -16,19 +18,6 @@ std::optional<int> ToWhole(const std::string& text, int least, int most)
   const std::optional<double> value = ToNumber(text);
   const bool fits = value && *value >= least && *value <= most && *value == std::floor(*value);
   return fits ? std::optional<int>(int(*value)) : std::nullopt;
-}
-
-const CommandLineOption& Find(
-  const std::vector<CommandLineOption>& options, const std::string& name)
-{
-  for (const CommandLineOption& option : options)
-  {
-    if (name == option.Name)
-    {
-      return option;
-    }
-  }
-  throw UsageError(name + ": there is no such option; --help tells all");
 }
 }
 
@@ -139,58 +128,59 @@ std::vector<std::string> ReadNames(
   return names;
 }
 
-void ParseCommandLine(int argc, char* argv[], const std::vector<CommandLineOption>& options,
+void AddOption(CLI::App& app, const std::string& name, const std::string& value,
+  const std::string& help, const std::function<void(const std::string& value)>& read)
+{
+  app.add_option_function<std::string>(name, read, help)
+    ->type_name(value)
+    ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+}
+
+void AddFlag(CLI::App& app, const std::string& name, bool& flag, const std::string& help)
+{
+  app.add_flag(name, flag, help)->disable_flag_override();
+}
+
+bool ParseCommandLine(CLI::App& app, const std::vector<std::string>& words,
   const std::function<void(const std::string& argument)>& other)
 {
-  for (int i = 1; i < argc; ++i)
+  app.set_help_flag("--help", "print this");
+  app.allow_extras();
+  try
   {
-    const std::string argument = argv[i];
-    if (argument.empty() || argument[0] != '-')
-    {
-      other(argument);
-      continue;
-    }
-    const size_t equals = argument.find('=');
-    const CommandLineOption& option = Find(options, argument.substr(0, equals));
-    const bool needsValue = option.Value[0] != '\0';
-    if (!needsValue && equals != std::string::npos)
-    {
-      throw UsageError(std::string(option.Name) + ": no value belongs to it");
-    }
-    std::string value = equals == std::string::npos ? "" : argument.substr(equals + 1);
-    if (needsValue && equals == std::string::npos && i + 1 < argc)
-    {
-      value = argv[++i];
-    }
-    if (needsValue && value.empty())
-    {
-      throw UsageError(std::string(option.Name) + ": " + option.Value + " is missing");
-    }
-    option.Read(value);
+    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
   }
+  catch (const CLI::CallForHelp&)
+  {
+    std::fputs(app.help().c_str(), stdout);
+    return false;
+  }
+  catch (const CLI::ParseError& error)
+  {
+    throw UsageError(error.what());
+  }
+  for (const std::string& word : app.remaining())
+  {
+    if (word.size() > 1 && word[0] == '-')
+    {
+      throw UsageError(word + ": there is no such option; --help tells all");
+    }
+    other(word);
+  }
+  return true;
 }
 
-std::string HelpLine(const std::string& left, const std::string& text)
+bool ParseCommandLine(CLI::App& app, int argc, char* argv[],
+  const std::function<void(const std::string& argument)>& other)
 {
-  constexpr size_t column = 24;
-  std::string lines, start = left;
-  for (const std::string& line : Split(text, '\n'))
-  {
-    lines +=
-      start + std::string(column > start.size() ? column - start.size() : 1, ' ') + line + "\n";
-    start.clear();
-  }
-  return lines;
+  return ParseCommandLine(app, std::vector<std::string>(argv + 1, argv + argc), other);
 }
 
-std::string OptionsHelp(const std::vector<CommandLineOption>& options)
+std::string HelpLine(const std::string& name, const std::string& text)
 {
-  std::string text;
-  for (const CommandLineOption& option : options)
-  {
-    text += HelpLine(std::string("  ") + option.Name + " " + option.Value, option.Help);
-  }
-  return text;
+  constexpr std::size_t column = 30; // as CLI11 has it
+  const std::string start = "  " + name;
+  return start + std::string(column > start.size() ? column - start.size() : 1, ' ') + text + "\n";
 }
 
 int RunProgram(const char* name, const std::function<int()>& run)

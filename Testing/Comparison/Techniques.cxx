@@ -1,6 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rtwTechnique.h"
 
+#include <vtkCascadedShadowMapPass.h>
+#include <vtkExactShadowMapPass.h>
+#include <vtkNew.h>
+#include <vtkNoTWShadowMapPass.h>
+#include <vtkPerspectiveShadowMapPass.h>
+#include <vtkRTWShadowMapPass.h>
+#include <vtkUniformShadowMapPass.h>
+
 #include <stdexcept>
 
 namespace rtw
@@ -14,16 +22,22 @@ struct Entry
   std::unique_ptr<Technique> (*Make)(const TechniqueSettings& settings);
 };
 
+template <class Pass>
+std::unique_ptr<Technique> Make(const TechniqueSettings& settings)
+{
+  return MakeAdaptiveTechnique(vtkNew<Pass>(), settings);
+}
+
 // All there are: a technique is one line here.
 const Entry ENTRIES[] = {
   { "vtk", "VTK's own vtkShadowMapPass", MakeVtkTechnique },
-  { "uniform", "vtkUniformShadowMapPass, the conventional map", MakeUniformTechnique },
-  { "rtw", "vtkRTWShadowMapPass, rectilinear texture warping", MakeRTWTechnique },
-  { "notw", "vtkNoTWShadowMapPass, non-orthogonal texture warping", MakeNoTWTechnique },
+  { "uniform", "vtkUniformShadowMapPass, the conventional map", Make<vtkUniformShadowMapPass> },
+  { "rtw", "vtkRTWShadowMapPass, rectilinear texture warping", Make<vtkRTWShadowMapPass> },
+  { "notw", "vtkNoTWShadowMapPass, non-orthogonal texture warping", Make<vtkNoTWShadowMapPass> },
   { "perspective", "vtkPerspectiveShadowMapPass, LiSPSM or as --perspective says",
-    MakePerspectiveTechnique },
-  { "exact", "vtkExactShadowMapPass, exact hard shadows", MakeExactTechnique },
-  { "cascades", "vtkCascadedShadowMapPass, layers by depth", MakeCascadesTechnique },
+    Make<vtkPerspectiveShadowMapPass> },
+  { "exact", "vtkExactShadowMapPass, exact hard shadows", Make<vtkExactShadowMapPass> },
+  { "cascades", "vtkCascadedShadowMapPass, layers by depth", Make<vtkCascadedShadowMapPass> },
 };
 
 const Entry& Find(const std::string& name)

@@ -9,10 +9,6 @@
 #include <vtkShadowRenderStepsPass.h>
 #include <vtkSmartPointer.h>
 
-class vtkNonOrthogonalShadowMapWarp;
-class vtkPerspectiveShadowMapWarp;
-class vtkRectilinearShadowMapWarp;
-
 namespace rtw
 {
 /// One of this module's passes, around a whole frame.
@@ -36,11 +32,6 @@ private:
   vtkNew<vtkShadowRenderStepsPass> Steps;
   vtkRenderer* Renderer = nullptr;
 };
-
-/// What of the settings a warp has.
-void ConfigureImportance(vtkRectilinearShadowMapWarp* warp, const TechniqueSettings& settings);
-void ConfigureNoTW(vtkNonOrthogonalShadowMapWarp* warp, const TechniqueSettings& settings);
-void ConfigurePerspective(vtkPerspectiveShadowMapWarp* warp, const TechniqueSettings& settings);
 }
 
 #endif

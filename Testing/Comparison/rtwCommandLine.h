@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Command lines of options, each a line of a table.
+// What command lines say, beside CLI11.
 #ifndef rtwCommandLine_h
 #define rtwCommandLine_h
 
@@ -9,6 +9,11 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+namespace CLI
+{
+class App;
+}
 
 namespace rtw
 {
@@ -56,22 +61,20 @@ Value Choose(const std::string& option, const std::string& text,
   Refuse(option, text, "one of " + Join(names));
 }
 
-struct CommandLineOption
-{
-  const char* Name;
-  const char* Value; // what follows it; empty if nothing does
-  const char* Help;
-  std::function<void(const std::string& value)> Read;
-};
+/// An option with a value, which `read` gets; of several the last counts.
+void AddOption(CLI::App& app, const std::string& name, const std::string& value,
+  const std::string& help, const std::function<void(const std::string& value)>& read);
+void AddFlag(CLI::App& app, const std::string& name, bool& flag, const std::string& help);
 
-/// Reads `--name value` and `--name=value`; what does not begin with a dash goes to `other`.
-/// Throws UsageError.
-void ParseCommandLine(int argc, char* argv[], const std::vector<CommandLineOption>& options,
+/// Reads a command line; what is no option goes to `other`. False, and the help is printed, where
+/// that was asked for. Throws UsageError.
+bool ParseCommandLine(CLI::App& app, int argc, char* argv[],
+  const std::function<void(const std::string& argument)>& other);
+bool ParseCommandLine(CLI::App& app, const std::vector<std::string>& words,
   const std::function<void(const std::string& argument)>& other);
 
-/// A line of help, or several.
-std::string HelpLine(const std::string& left, const std::string& text);
-std::string OptionsHelp(const std::vector<CommandLineOption>& options);
+/// A line below the options, as theirs.
+std::string HelpLine(const std::string& name, const std::string& text);
 
 /// Runs a program: 2 and one line on stderr for a UsageError, 1 and one line for another error.
 int RunProgram(const char* name, const std::function<int()>& run);

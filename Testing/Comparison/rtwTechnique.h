@@ -3,11 +3,10 @@
 #define rtwTechnique_h
 
 #include "rtwAliasing.h"
+#include "rtwTechniqueSettings.h"
 
-#include <array>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,107 +15,6 @@ class vtkWindow;
 
 namespace rtw
 {
-enum class Filter
-{
-  NEAREST,
-  BILINEAR,
-  PCF,
-  SOFT
-};
-
-enum class DepthTest
-{
-  DUAL,
-  RECEIVER_PLANE,
-  CONSTANT_BIAS
-};
-
-/// Of rtw; several are multiplied.
-enum class Importance
-{
-  DESIRED_VIEW,
-  DISTANCE_TO_EYE,
-  SURFACE_NORMAL,
-  SQRT_DEMAND,
-  SHADOW_EDGE,
-  CENTRE_OF_INTEREST,
-  USER_FUNCTION,
-  FOOTPRINT,
-  SAMPLE_COUNT
-};
-
-enum class Analysis
-{
-  FORWARD,
-  BACKWARD,
-  HYBRID
-};
-
-enum class Rasterization
-{
-  LINEAR,
-  TESSELLATED,
-  EXACT,
-  AUTOMATIC
-};
-
-enum class LightPlaneTurn
-{
-  OFF,
-  VIEW_ALIGNED,
-  AUTOMATIC,
-  MINIMAL_FRUSTUM
-};
-
-/// Of perspective; as vtkPerspectiveShadowMapPass has them.
-enum class ResolutionSplit
-{
-  SQUARE,
-  CRITICAL,
-  AUTOMATIC
-};
-
-/// Likewise.
-enum class Perspective
-{
-  PSM,
-  LISPSM,
-  TSM,
-  UNWARPED
-};
-
-/// Of cascades.
-enum class Splits
-{
-  UNIFORM,
-  LOGARITHMIC,
-  PRACTICAL,
-  SAMPLE_DISTRIBUTION
-};
-
-/// Of each layer of cascades.
-enum class LayerWarp
-{
-  IDENTITY,
-  PERSPECTIVE,
-  RTW,
-  NOTW
-};
-
-enum class SampleSource
-{
-  PREPASS,
-  PREVIOUS_FRAME
-};
-
-/// Of exact: how view samples are spread over texels.
-enum class GridWarp
-{
-  IDENTITY,
-  RECTILINEAR,
-  NON_ORTHOGONAL
-};
-
 /// What a picture can show of a map instead of its shadows.
 enum class DebugPicture
 {
@@ -127,50 +25,6 @@ enum class DebugPicture
   WARP_GRID,
   LAYERS,
   LIST_LENGTHS
-};
-
-/// Settings that are not given stay what the technique has by itself.
-struct TechniqueSettings
-{
-  int Resolution = 1024; // texels a side of a shadow map
-  std::optional<Filter> Filtering;
-  std::optional<Rasterization> Rasterizing;
-  std::optional<double> EdgeLength; // of tessellated triangles at most, of the map's side
-  std::optional<SampleSource> Samples;
-  std::optional<int> SampleStride;
-  std::optional<LightPlaneTurn> Turn;
-  std::optional<double> FilterRadius; // texels of PCF, world units of SOFT
-  std::optional<bool> FilterJitter;
-  std::optional<DepthTest> Test;
-  std::optional<bool> Focus;
-  std::vector<Importance> ImportanceKinds; // empty: not given
-  std::optional<Analysis> AnalysisKind;
-  std::optional<double> EdgeThreshold;
-  std::optional<int> LightImage;                 // texels a side
-  std::optional<std::array<double, 4>> Interest; // a sphere's centre and radius
-  std::optional<std::string> UserFunction;       // GLSL
-  std::optional<bool> CullEmptyCells;
-  std::optional<double> TemporalBlending;
-  std::optional<bool> Snapping;
-  std::optional<double> Smoothing;               // of notw, a share of the focus
-  std::optional<int> Cells;                      // a side, of notw
-  std::optional<Perspective> Parameterization;
-  std::optional<double> NearDistance; // n' of perspective
-  std::optional<double> Eta;
-  std::optional<ResolutionSplit> Split;
-  std::optional<double> SplitRatio;
-  std::optional<double> FocusPoint;
-  std::optional<GridWarp> Grid;
-  std::optional<int> PixelSamples;               // 1, 4 or 8
-  std::optional<int> Layers;
-  std::optional<Splits> Splitting;
-  std::optional<double> Lambda;
-  std::optional<double> BlendWidth;
-  std::optional<LayerWarp> Warping;
-  std::optional<bool> Stable;
-  std::optional<bool> SplitFaces;
-  std::optional<bool> CullCasters;
-  bool Stages = false;                           // whether to time the stages on the GPU
 };
 
 struct Stage
@@ -227,14 +81,11 @@ std::string TechniqueDescription(const std::string& name);
 std::unique_ptr<Technique> MakeTechnique(
   const std::string& name, const TechniqueSettings& settings);
 
-/// What Techniques.cxx lists.
+/// By VTK's own vtkShadowMapPass.
 std::unique_ptr<Technique> MakeVtkTechnique(const TechniqueSettings& settings);
-std::unique_ptr<Technique> MakeUniformTechnique(const TechniqueSettings& settings);
-std::unique_ptr<Technique> MakeRTWTechnique(const TechniqueSettings& settings);
-std::unique_ptr<Technique> MakeNoTWTechnique(const TechniqueSettings& settings);
-std::unique_ptr<Technique> MakePerspectiveTechnique(const TechniqueSettings& settings);
-std::unique_ptr<Technique> MakeExactTechnique(const TechniqueSettings& settings);
-std::unique_ptr<Technique> MakeCascadesTechnique(const TechniqueSettings& settings);
+/// By a pass of this module, with the settings applied to it.
+std::unique_ptr<Technique> MakeAdaptiveTechnique(
+  vtkAdaptiveShadowMapPass* pass, const TechniqueSettings& settings);
 }
 
 #endif

@@ -11,10 +11,11 @@ set(rtw_vtk_optional_components glew glad opengl)
 set(rtw_vtk_test_components)
 if (BUILD_TESTING OR RTW_BUILD_EXAMPLES)
   set(rtw_vtk_test_components
-    ChartsCore CommonSystem FiltersGeneral FiltersGeometry FiltersModeling FiltersSources IOCore
+    CommonSystem FiltersGeneral FiltersGeometry FiltersModeling FiltersSources IOCore
     IOGeometry IOImage IOPLY IOXML ImagingCore InteractionStyle RenderingAnnotation
-    RenderingContext2D RenderingContextOpenGL2 RenderingFreeType RenderingLOD RenderingUI
-    RenderingVolume RenderingVolumeOpenGL2 ViewsContext2D jsoncpp vtksys)
+    RenderingFreeType RenderingLOD RenderingUI RenderingVolume RenderingVolumeOpenGL2 jsoncpp vtksys)
+  # The command lines of examples and benchmarks.
+  find_package(CLI11 QUIET)
 endif ()
 
 set(_rtw_python_components)

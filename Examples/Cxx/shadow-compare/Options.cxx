@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Options.h"
 
-#include "rtwTechniqueNames.h"
+#include <CLI/CLI.hpp>
 
 #include <glm/glm.hpp>
-
-#include <sstream>
 
 namespace
 {
@@ -54,23 +52,34 @@ void ReadCamera(const std::string& text, Options& options)
   }
 }
 
-void ReadInterest(const std::string& text, rtw::TechniqueSettings& settings)
+void AddSettings(CLI::App& app, rtw::TechniqueSettings& settings)
 {
-  const std::vector<double> n = rtw::ToNumbers(text, 4);
-  if (n.empty() || !(n[3] > 0))
+  for (const rtw::Setting& setting : rtw::AllSettings())
   {
-    rtw::Refuse("--interest", text, "X,Y,Z,R with R above 0");
+    rtw::AddOption(app, "--" + setting.Name, setting.Value, setting.Help,
+      [&settings, name = setting.Name](const std::string& value) { settings.Set(name, value); });
   }
-  settings.Interest = { n[0], n[1], n[2], n[3] };
 }
 
-std::vector<rtw::CommandLineOption> Entries(Options& options);
+void AddTechniques(
+  CLI::App& app, std::vector<std::string>& techniques, std::vector<int>& resolutions)
+{
+  rtw::AddOption(app, "--technique", "NAME,...", "techniques to compare; default vtk,uniform,rtw",
+    [&](const std::string& value) {
+      techniques = rtw::ReadNames("--technique", value, rtw::TechniqueNames());
+    });
+  rtw::AddOption(app, "--resolution", "N,...", "texels a side of a shadow map; default 1024",
+    [&](const std::string& value) {
+      resolutions = rtw::ReadWholes("--resolution", value, 16, 16384);
+    });
+}
 
 // Options between blanks.
 Case ReadCase(const std::string& text)
 {
-  Options options;
-  std::vector<std::string> words{ "--case" };
+  const Options defaults;
+  Case read{ text, defaults.Techniques, defaults.Resolutions, {} };
+  std::vector<std::string> words;
   for (const std::string& word : rtw::Split(text, ' '))
   {
     if (!word.empty())
@@ -78,14 +87,12 @@ Case ReadCase(const std::string& text)
       words.push_back(word);
     }
   }
-  std::vector<char*> arguments;
-  for (std::string& word : words)
-  {
-    arguments.push_back(word.data());
-  }
-  rtw::ParseCommandLine(static_cast<int>(arguments.size()), arguments.data(), Entries(options),
-    [&](const std::string& word) { rtw::Refuse("--case", word, "options only"); });
-  return { text, options.Techniques, options.Resolutions, options.Settings };
+  CLI::App app;
+  AddTechniques(app, read.Techniques, read.Resolutions);
+  AddSettings(app, read.Settings);
+  rtw::ParseCommandLine(
+    app, words, [](const std::string& word) { rtw::Refuse("--case", word, "options only"); });
+  return read;
 }
 
 void ReadDebugViews(const std::string& text, Options& options)
@@ -97,198 +104,61 @@ void ReadDebugViews(const std::string& text, Options& options)
   }
 }
 
-std::vector<rtw::CommandLineOption> Entries(Options& options)
+void AddScene(CLI::App& app, Options& options)
 {
   using namespace rtw;
-  TechniqueSettings& settings = options.Settings;
-  return {
-    { "--technique", "NAME,...", "techniques to compare; default vtk,uniform,rtw",
-      [&](const std::string& value) {
-        options.Techniques = ReadNames("--technique", value, TechniqueNames());
-      } },
-    { "--resolution", "N,...", "texels a side of a shadow map; default 1024",
-      [&](const std::string& value) {
-        options.Resolutions = ReadWholes("--resolution", value, 16, 16384);
-      } },
-    { "--case", "'O ...'",
-      "compare also what these options give: techniques, resolutions and their settings,\n"
-      "as '--technique cascades --layers 2 --resolution 512'; any number of times",
-      [&](const std::string& value) { options.Cases.push_back(ReadCase(value)); } },
-    { "--size", "WxH", "of the picture in pixels; default the scene's, 1024x1024",
-      [&](const std::string& value) { options.Size = ReadSize("--size", value); } },
-    { "--light", "LIGHT",
-      "sun:DX,DY,DZ or spot:PX,PY,PZ,FX,FY,FZ,CONE (half angle); 90 and\n"
-      "more is a point light",
-      [&](const std::string& value) { ReadLight(value, options); } },
-    { "--camera", "CAMERA", "PX,PY,PZ,FX,FY,FZ,ANGLE: position, focal point, vertical angle",
-      [&](const std::string& value) { ReadCamera(value, options); } },
-    { "--scale", "S", "times the triangles of town, playground and terrain",
-      [&](const std::string& value) { options.Scale = ReadNumber("--scale", value, 0.01, 100); } },
-    { "--pieces", "N", "actors that the mesh is split into; default 1",
-      [&](const std::string& value) { options.Pieces = ReadWhole("--pieces", value, 1, 100000); } },
-    { "--sharp-rays", "on|off",
-      "whether exact rays start at the surface itself, not a little off it; default off",
-      [&](const std::string& value) {
-        options.SharpRays =
-          Choose<bool>("--sharp-rays", value, { { "on", true }, { "off", false } });
-      } },
-    { "--frames", "N", "that are timed, of each kind; default 10",
-      [&](const std::string& value) { options.Frames = ReadWhole("--frames", value, 1, 100000); } },
-    { "--filter", "F", "nearest, bilinear, pcf or soft",
-      [&](const std::string& value) {
-        settings.Filtering = Choose("--filter", value, FilterNames());
-      } },
-    { "--filter-radius", "R", "texels of pcf, 0 to 8; world units of soft; default 2",
-      [&](const std::string& value) {
-        settings.FilterRadius = ReadNumber("--filter-radius", value, 0, 1e30);
-      } },
-    { "--filter-jitter", "on|off", "whether pcf and soft displace their taps from pixel to pixel",
-      [&](const std::string& value) {
-        settings.FilterJitter =
-          Choose<bool>("--filter-jitter", value, { { "on", true }, { "off", false } });
-      } },
-    { "--rasterization", "R", "linear, tessellated, exact or automatic",
-      [&](const std::string& value) {
-        settings.Rasterizing = Choose("--rasterization", value, RasterizationNames());
-      } },
-    { "--edge-length", "L", "of tessellated triangles at most, of the map's side; default 0.025",
-      [&](const std::string& value) {
-        settings.EdgeLength = ReadNumber("--edge-length", value, 0.001, 1);
-      } },
-    { "--light-plane-turn", "T", "off, view-aligned, automatic or minimal-frustum",
-      [&](const std::string& value) {
-        settings.Turn = Choose("--light-plane-turn", value, LightPlaneTurnNames());
-      } },
-    { "--view-samples", "S", "prepass or previous-frame",
-      [&](const std::string& value) {
-        settings.Samples = Choose("--view-samples", value, SampleSourceNames());
-      } },
-    { "--sample-stride", "N",
-      "pixels a side of a square that gives a view sample, 1 to 64; default 2",
-      [&](const std::string& value) {
-        settings.SampleStride = ReadWhole("--sample-stride", value, 1, 64);
-      } },
-    { "--cull-casters", "on|off", "whether what can shadow nothing in a layer is left out of it",
-      [&](const std::string& value) {
-        settings.CullCasters =
-          Choose<bool>("--cull-casters", value, { { "on", true }, { "off", false } });
-      } },
-    { "--depth-test", "T", "dual, receiver-plane or constant-bias",
-      [&](const std::string& value) {
-        settings.Test = Choose("--depth-test", value, DepthTestNames());
-      } },
-    { "--focus", "on|off", "whether maps are fitted to what the camera sees",
-      [&](const std::string& value) {
-        settings.Focus = Choose<bool>("--focus", value, { { "on", true }, { "off", false } });
-      } },
-    { "--importance", "I+...",
-      "of rtw, multiplied: desired-view, distance, normal, sqrt-demand, edges,\n"
-      "interest, user, footprint, count; published stands for the first three",
-      [&](const std::string& value) {
-        settings.ImportanceKinds = ReadImportance("--importance", value);
-      } },
-    { "--analysis", "A", "of rtw: forward, backward or hybrid",
-      [&](const std::string& value) {
-        settings.AnalysisKind = Choose("--analysis", value, AnalysisNames());
-      } },
-    { "--light-image", "N", "texels a side of the depth image of a forward or hybrid analysis",
-      [&](const std::string& value) {
-        settings.LightImage = ReadWhole("--light-image", value, 16, 8192);
-      } },
-    { "--edge-threshold", "S", "least step of depth at an edge, as a share of the scene's diagonal",
-      [&](const std::string& value) {
-        settings.EdgeThreshold = ReadNumber("--edge-threshold", value, 0, 1);
-      } },
-    { "--interest", "X,Y,Z,R",
-      "centre and radius of the sphere of interest; default the view's centre",
-      [&](const std::string& value) { ReadInterest(value, settings); } },
-    { "--user-function", "GLSL", "the user's own importance function",
-      [&](const std::string& value) { settings.UserFunction = value; } },
-    { "--cull-empty-cells", "on|off",
-      "whether rtw gives columns and rows in which nothing is seen next to no texels",
-      [&](const std::string& value) {
-        settings.CullEmptyCells =
-          Choose<bool>("--cull-empty-cells", value, { { "on", true }, { "off", false } });
-      } },
-    { "--blending", "B", "share of the last frame's warping functions that rtw keeps, 0 to 0.99",
-      [&](const std::string& value) {
-        settings.TemporalBlending = ReadNumber("--blending", value, 0, 0.99);
-      } },
-    { "--grid", "W", "of exact: the warp of its grid, identity, rectilinear or non-orthogonal",
-      [&](const std::string& value) {
-        settings.Grid = Choose<GridWarp>("--grid", value,
-          { { "identity", GridWarp::IDENTITY }, { "rectilinear", GridWarp::RECTILINEAR },
-            { "non-orthogonal", GridWarp::NON_ORTHOGONAL } });
-      } },
-    { "--pixel-samples", "N", "of exact: points of a pixel that are tested, 1, 4 or 8; default 1",
-      [&](const std::string& value) {
-        settings.PixelSamples =
-          Choose<int>("--pixel-samples", value, { { "1", 1 }, { "4", 4 }, { "8", 8 } });
-      } },
-    { "--snapping", "on|off", "whether rtw keeps texels in place while the camera moves a little",
-      [&](const std::string& value) {
-        settings.Snapping = Choose<bool>("--snapping", value, { { "on", true }, { "off", false } });
-      } },
-    { "--smoothing", "S",
-      "of notw: how far neighbouring lines are averaged, a share of the focus, 0 to 1;\n"
-      "default: chosen by what least error is predicted for",
-      [&](const std::string& value) {
-        settings.Smoothing = ReadNumber("--smoothing", value, 0, 1);
-      } },
-    { "--cells", "N", "a side of the grid of notw, 64 to 2048; default 512",
-      [&](const std::string& value) { settings.Cells = ReadWhole("--cells", value, 64, 2048); } },
-    { "--perspective", "P",
-      "of perspective, and of cascades warped so: psm, lispsm, tsm, none, or n' itself in world "
-      "units; default lispsm",
-      [&](const std::string& value) { ReadPerspective("--perspective", value, settings); } },
-    { "--eta", "E", "likewise, instead: -1, no warp, over 0, LiSPSM, to 1, PSM",
-      [&](const std::string& value) { settings.Eta = ReadNumber("--eta", value, -1, 1); } },
-    { "--resolution-split", "S",
-      "of perspective, between s and t: square, critical (Lloyd et al. 2006, equations 13, 14), "
-      "automatic (least predicted error) or texels along s over those along t",
-      [&](
-        const std::string& value) { ReadResolutionSplit("--resolution-split", value, settings); } },
-    { "--focus-point", "F",
-      "of tsm, what 80 % of the map lie before, 0.001 to 1 of what is seen; default 0.1",
-      [&](const std::string& value) {
-        settings.FocusPoint = ReadNumber("--focus-point", value, 0.001, 1);
-      } },
-    { "--layers", "N", "of cascades, 1 to 8; default 4",
-      [&](const std::string& value) { settings.Layers = ReadWhole("--layers", value, 1, 8); } },
-    { "--splits", "S", "of cascades: uniform, logarithmic, practical or sample-distribution",
-      [&](const std::string& value) {
-        settings.Splitting = Choose("--splits", value, SplitsNames());
-      } },
-    { "--lambda", "L", "of practical splits, from 0, uniform, to 1, logarithmic; default 0.5",
-      [&](const std::string& value) { settings.Lambda = ReadNumber("--lambda", value, 0, 1); } },
-    { "--blend-width", "B", "of the band where a cascade gives way to the next, of its depths",
-      [&](const std::string& value) {
-        settings.BlendWidth = ReadNumber("--blend-width", value, 0, 1);
-      } },
-    { "--faces", "on|off", "whether cascades are divided among the sides of the view frustum",
-      [&](const std::string& value) {
-        settings.SplitFaces = Choose<bool>("--faces", value, { { "on", true }, { "off", false } });
-      } },
-    { "--stable", "on|off", "whether cascades keep texels in place while the camera moves",
-      [&](const std::string& value) {
-        settings.Stable = Choose<bool>("--stable", value, { { "on", true }, { "off", false } });
-      } },
-    { "--warp", "W", "of each cascade: identity, perspective, rtw or notw",
-      [&](const std::string& value) {
-        settings.Warping = Choose("--warp", value, LayerWarpNames());
-      } },
-    { "--stages", "", "print the milliseconds of each stage on the GPU",
-      [&](const std::string&) { settings.Stages = true; } },
-    { "--out", "DIR", "write pictures, masks and differences there",
-      [&](const std::string& value) { options.OutputFolder = value; } },
-    { "--debug-view", "V,...",
-      "write to --out what maps look like inside: shadow, aliasing, importance,\n"
-      "grid, layers; of exact lists",
-      [&](const std::string& value) { ReadDebugViews(value, options); } },
-    { "--json", "FILE", "write the numbers there",
-      [&](const std::string& value) { options.JsonFile = value; } },
-    { "--help", "", "print this", [&](const std::string&) { options.Help = true; } },
-  };
+  AddOption(app, "--size", "WxH", "of the picture in pixels; default the scene's, 1024x1024",
+    [&](const std::string& value) { options.Size = ReadSize("--size", value); });
+  AddOption(app, "--light", "LIGHT",
+    "sun:DX,DY,DZ or spot:PX,PY,PZ,FX,FY,FZ,CONE (half angle); 90 and more is a point light",
+    [&](const std::string& value) { ReadLight(value, options); });
+  AddOption(app, "--camera", "CAMERA",
+    "PX,PY,PZ,FX,FY,FZ,ANGLE: position, focal point, vertical angle",
+    [&](const std::string& value) { ReadCamera(value, options); });
+  AddOption(app, "--scale", "S", "times the triangles of town, playground and terrain",
+    [&](const std::string& value) { options.Scale = ReadNumber("--scale", value, 0.01, 100); });
+  AddOption(app, "--pieces", "N", "actors that the mesh is split into; default 1",
+    [&](const std::string& value) { options.Pieces = ReadWhole("--pieces", value, 1, 100000); });
+  AddOption(app, "--sharp-rays", "on|off",
+    "whether exact rays start at the surface itself, not a little off it; default off",
+    [&](const std::string& value) {
+      options.SharpRays =
+        Choose<bool>("--sharp-rays", value, { { "on", true }, { "off", false } });
+    });
+  AddOption(app, "--frames", "N", "that are timed, of each kind; default 10",
+    [&](const std::string& value) { options.Frames = ReadWhole("--frames", value, 1, 100000); });
+}
+
+void AddOutput(CLI::App& app, Options& options)
+{
+  using namespace rtw;
+  AddFlag(app, "--stages", options.Settings.Stages, "time the stages on the GPU");
+  AddOption(app, "--out", "DIR", "write pictures, masks and differences there",
+    [&](const std::string& value) { options.OutputFolder = value; });
+  AddOption(app, "--debug-view", "V,...",
+    "write to --out what maps look like inside: shadow, aliasing, importance, grid, layers; of "
+    "exact lists",
+    [&](const std::string& value) { ReadDebugViews(value, options); });
+  AddOption(app, "--json", "FILE", "write the numbers there",
+    [&](const std::string& value) { options.JsonFile = value; });
+}
+
+std::string Description()
+{
+  return "Renders a scene with shadows by each technique, without a display, compares every pixel\n"
+         "with an exact shadow ray, and takes the time.\n\nSCENE is one of " +
+    rtw::Join(rtw::SceneNames()) +
+    ",\nor a file: .obj, .ply, .stl, .vtp, .glb, .gltf. Default: town.\n";
+}
+
+std::string Techniques()
+{
+  std::string text = "Techniques:\n";
+  for (const std::string& name : rtw::TechniqueNames())
+  {
+    text += rtw::HelpLine(name, rtw::TechniqueDescription(name));
+  }
+  return text;
 }
 }
 
@@ -301,11 +171,30 @@ rtw::DebugPicture ToDebugPicture(const std::string& name)
       { "layers", DebugPicture::LAYERS }, { "lists", DebugPicture::LIST_LENGTHS } });
 }
 
-Options ParseOptions(int argc, char* argv[])
+std::optional<Options> ParseOptions(int argc, char* argv[])
 {
   Options options;
+  CLI::App app(Description(), "shadow-compare [SCENE]");
+  AddTechniques(app, options.Techniques, options.Resolutions);
+  app
+    .add_option_function<std::vector<std::string>>(
+      "--case",
+      [&](const std::vector<std::string>& texts) {
+        for (const std::string& text : texts)
+        {
+          options.Cases.push_back(ReadCase(text));
+        }
+      },
+      "compare also what these options give: techniques, resolutions and their settings, as "
+      "'--technique cascades --layers 2 --resolution 512'; any number of times")
+    ->type_name("'O ...'")
+    ->allow_extra_args(false);
+  AddScene(app, options);
+  AddSettings(app, options.Settings);
+  AddOutput(app, options);
+  app.footer(Techniques());
   bool hasScene = false;
-  rtw::ParseCommandLine(argc, argv, Entries(options), [&](const std::string& argument) {
+  const bool runs = rtw::ParseCommandLine(app, argc, argv, [&](const std::string& argument) {
     if (hasScene)
     {
       throw rtw::UsageError(argument + ": one scene only; " + options.Scene + " is given already");
@@ -317,24 +206,5 @@ Options ParseOptions(int argc, char* argv[])
   {
     each.Settings.Stages = options.Settings.Stages;
   }
-  return options;
-}
-
-std::string HelpText()
-{
-  Options options;
-  std::ostringstream text;
-  text
-    << "shadow-compare [SCENE] [OPTION ...]\n\n"
-       "Renders a scene with shadows by each technique, without a display, compares every pixel\n"
-       "with an exact shadow ray, and takes the time.\n\n"
-       "SCENE is one of "
-    << rtw::Join(rtw::SceneNames())
-    << ",\nor a file: .obj, .ply, .stl, .vtp, .glb, .gltf. Default: town.\n\n"
-    << rtw::OptionsHelp(Entries(options)) << "\nTechniques:\n";
-  for (const std::string& name : rtw::TechniqueNames())
-  {
-    text << rtw::HelpLine("  " + name, rtw::TechniqueDescription(name));
-  }
-  return text.str();
+  return runs ? std::make_optional(options) : std::nullopt;
 }

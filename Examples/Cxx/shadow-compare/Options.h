@@ -44,13 +44,10 @@ struct Options
   std::vector<std::string> DebugViews; // as the command line has them
   rtw::TechniqueSettings Settings; // but for the resolution
   std::vector<Case> Cases;
-  bool Help = false;
 };
 
-/// Throws rtw::UsageError.
-Options ParseOptions(int argc, char* argv[]);
-
-std::string HelpText();
+/// None where only the help was asked for, which is printed then. Throws rtw::UsageError.
+std::optional<Options> ParseOptions(int argc, char* argv[]);
 
 /// Of one of DebugViews.
 rtw::DebugPicture ToDebugPicture(const std::string& name);

@@ -212,13 +212,10 @@ void Run(const Options& options)
 int main(int argc, char* argv[])
 {
   return rtw::RunProgram("shadow-compare", [&] {
-    const Options options = ParseOptions(argc, argv);
-    if (options.Help)
+    if (const std::optional<Options> options = ParseOptions(argc, argv))
     {
-      std::fputs(HelpText().c_str(), stdout);
-      return 0;
+      Run(*options);
     }
-    Run(options);
     return 0;
   });
 }

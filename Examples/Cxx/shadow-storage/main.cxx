@@ -3,6 +3,8 @@
 
 #include "rtwCommandLine.h"
 
+#include <CLI/CLI.hpp>
+
 #include <glm/glm.hpp>
 
 #include <cstdio>
@@ -18,7 +20,6 @@ struct Options
   int Partitions = 4;
   std::optional<int> Figure;
   std::optional<glm::dvec3> Light;
-  bool Help = false;
 };
 
 glm::dvec3 ReadLight(const std::string& text)
@@ -39,47 +40,32 @@ glm::dvec3 ReadLight(const std::string& text)
   return { n[0], n[1], n[2] };
 }
 
-std::vector<rtw::CommandLineOption> Entries(Options& options)
+void AddOptions(CLI::App& app, Options& options)
 {
   using namespace rtw;
-  return {
-    { "--near", "N", "distance of the view's near plane; default 1",
-      [&](
-        const std::string& value) { options.View.Near = ReadNumber("--near", value, 1e-6, 1e9); } },
-    { "--far", "F", "and of the far one; default 1000",
-      [&](const std::string& value) { options.View.Far = ReadNumber("--far", value, 1e-6, 1e9); } },
-    { "--half-angle", "A", "half of the field of view, in degrees; default 30",
-      [&](const std::string& value) {
-        options.View.HalfAngle = glm::radians(ReadNumber("--half-angle", value, 1, 80));
-      } },
-    { "--partitions", "K", "depth partitions, at most; default 4",
-      [&](const std::string& value) {
-        options.Partitions = ReadWhole("--partitions", value, 1, 64);
-      } },
-    { "--light", "LIGHT",
-      "overhead, behind, or the way that light goes, DX,DY,DZ, in a view along\n-z with y up; "
-      "default: the first two, and the direction that needs most",
-      [&](const std::string& value) { options.Light = ReadLight(value); } },
-    { "--figure", "N", "the numbers of a figure of the paper instead: 5, 6, 7, 10, 12 or 13",
-      [&](const std::string& value) { options.Figure = ReadWhole("--figure", value, 1, 15); } },
-    { "--help", "", "print this", [&](const std::string&) { options.Help = true; } },
-  };
+  AddOption(app, "--near", "N", "distance of the view's near plane; default 1",
+    [&](const std::string& value) { options.View.Near = ReadNumber("--near", value, 1e-6, 1e9); });
+  AddOption(app, "--far", "F", "and of the far one; default 1000",
+    [&](const std::string& value) { options.View.Far = ReadNumber("--far", value, 1e-6, 1e9); });
+  AddOption(app, "--half-angle", "A", "half of the field of view, in degrees; default 30",
+    [&](const std::string& value) {
+      options.View.HalfAngle = glm::radians(ReadNumber("--half-angle", value, 1, 80));
+    });
+  AddOption(app, "--partitions", "K", "depth partitions, at most; default 4",
+    [&](const std::string& value) {
+      options.Partitions = ReadWhole("--partitions", value, 1, 64);
+    });
+  AddOption(app, "--light", "LIGHT",
+    "overhead, behind, or the way that light goes, DX,DY,DZ, in a view along -z with y up; "
+    "default: the first two, and the direction that needs most",
+    [&](const std::string& value) { options.Light = ReadLight(value); });
+  AddOption(app, "--figure", "N",
+    "the numbers of a figure of the paper instead: 5, 6, 7, 10, 12 or 13",
+    [&](const std::string& value) { options.Figure = ReadWhole("--figure", value, 1, 15); });
 }
 
-std::string Run(Options& options)
+std::string Run(const Options& options)
 {
-  if (options.Help)
-  {
-    return "shadow-storage [OPTION ...]\n\n"
-           "How many times the texels of the image shadow maps of a directional light need, so "
-           "that\n"
-           "none is wider than a pixel (the storage factor: Lloyd et al., Warping and "
-           "Partitioning\n"
-           "for Low Error Shadow Maps, 2006), with partitions by depth (ZP) and faces (FP) and "
-           "with\n"
-           "warping (W), as comma-separated values.\n\n" +
-      rtw::OptionsHelp(Entries(options));
-  }
   if (!(options.View.Far > options.View.Near))
   {
     throw rtw::UsageError("--far: expected more than --near");
@@ -97,10 +83,20 @@ int main(int argc, char* argv[])
 {
   return rtw::RunProgram("shadow-storage", [&] {
     Options options;
-    rtw::ParseCommandLine(argc, argv, Entries(options), [](const std::string& argument) {
+    CLI::App app(
+      "How many times the texels of the image shadow maps of a directional light need, so that\n"
+      "none is wider than a pixel (the storage factor: Lloyd et al., Warping and Partitioning\n"
+      "for Low Error Shadow Maps, 2006), with partitions by depth (ZP) and faces (FP) and with\n"
+      "warping (W), as comma-separated values.\n",
+      "shadow-storage");
+    AddOptions(app, options);
+    const bool runs = rtw::ParseCommandLine(app, argc, argv, [](const std::string& argument) {
       throw rtw::UsageError(argument + ": expected an option; --help tells all");
     });
-    std::fputs(Run(options).c_str(), stdout);
+    if (runs)
+    {
+      std::fputs(Run(options).c_str(), stdout);
+    }
     return 0;
   });
 }
