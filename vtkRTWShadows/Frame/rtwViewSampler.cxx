@@ -169,7 +169,7 @@ bool ViewSampler::BindTarget()
   StateGuard::PrepareDepthDrawing(false);
   if (this->Many.GetId())
   {
-    glEnable(GL_MULTISAMPLE);
+    SetEnabled(GL_MULTISAMPLE, true);
   }
   return this->Target.Bind(this->Depth, this->Many.GetId() ? &this->Many : &this->Samples);
 }
@@ -185,7 +185,6 @@ void ViewSampler::Finish()
     glUniform2fv(
       this->Resolving.Location("rtwOffsets"), this->GetSamplesAPixel(), &this->Offsets.front().x);
     this->Triangle.Draw();
-    this->Many.Unbind(0);
   }
 }
 

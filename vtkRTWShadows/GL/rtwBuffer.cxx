@@ -1,6 +1,7 @@
 #include "rtwBuffer.h"
 
 #include "rtwOpenGL.h"
+#include "rtwStateRecord.h"
 
 #include <algorithm>
 
@@ -16,23 +17,22 @@ void Buffer::Reserve(std::size_t bytes, bool keep)
   {
     return;
   }
+  const BriefChange change;
   const std::size_t size = keep ? std::max(bytes, this->Size + this->Size / 2) : bytes;
   GLuint id = 0;
   glGenBuffers(1, &id);
-  glBindBuffer(GL_COPY_WRITE_BUFFER, id);
+  BindBuffer(GL_COPY_WRITE_BUFFER, id);
   glBufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(size), nullptr, GL_DYNAMIC_DRAW);
   if (this->Id)
   {
     if (keep)
     {
-      glBindBuffer(GL_COPY_READ_BUFFER, this->Id);
+      BindBuffer(GL_COPY_READ_BUFFER, this->Id);
       glCopyBufferSubData(
         GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0, static_cast<GLsizeiptr>(this->Size));
-      glBindBuffer(GL_COPY_READ_BUFFER, 0);
     }
     glDeleteBuffers(1, &this->Id);
   }
-  glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
   this->Id = id;
   this->Size = size;
 }
@@ -43,52 +43,50 @@ void Buffer::Write(std::size_t offset, const void* data, std::size_t bytes)
   {
     return;
   }
-  glBindBuffer(GL_COPY_WRITE_BUFFER, this->Id);
+  const BriefChange change;
+  BindBuffer(GL_COPY_WRITE_BUFFER, this->Id);
   glBufferSubData(
     GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes), data);
-  glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
 }
 
 void Buffer::Copy(std::size_t to, const Buffer& other, std::size_t from, std::size_t bytes)
 {
-  glBindBuffer(GL_COPY_READ_BUFFER, other.Id);
-  glBindBuffer(GL_COPY_WRITE_BUFFER, this->Id);
+  const BriefChange change;
+  BindBuffer(GL_COPY_READ_BUFFER, other.Id);
+  BindBuffer(GL_COPY_WRITE_BUFFER, this->Id);
   glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(from),
     static_cast<GLintptr>(to), static_cast<GLsizeiptr>(bytes));
-  glBindBuffer(GL_COPY_READ_BUFFER, 0);
-  glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
 }
 
 void Buffer::Read(std::size_t offset, void* data, std::size_t bytes) const
 {
-  glBindBuffer(GL_COPY_READ_BUFFER, this->Id);
+  const BriefChange change;
+  BindBuffer(GL_COPY_READ_BUFFER, this->Id);
   glGetBufferSubData(
     GL_COPY_READ_BUFFER, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes), data);
-  glBindBuffer(GL_COPY_READ_BUFFER, 0);
 }
 
 void Buffer::Clear()
 {
+  const BriefChange change;
   const GLuint zero = 0;
-  glBindBuffer(GL_COPY_WRITE_BUFFER, this->Id);
+  BindBuffer(GL_COPY_WRITE_BUFFER, this->Id);
   glClearBufferData(GL_COPY_WRITE_BUFFER, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
-  glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
 }
 
 void Buffer::BindStorage(unsigned int binding) const
 {
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, this->Id);
+  BindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, this->Id);
 }
 
 void Buffer::BindUniforms(unsigned int binding, std::size_t offset, std::size_t bytes) const
 {
-  glBindBufferRange(GL_UNIFORM_BUFFER, binding, this->Id, static_cast<GLintptr>(offset),
-    static_cast<GLsizeiptr>(bytes));
+  BindBufferRange(GL_UNIFORM_BUFFER, binding, this->Id, offset, bytes);
 }
 
 void Buffer::Bind(unsigned int target) const
 {
-  glBindBuffer(target, this->Id);
+  BindBuffer(target, this->Id);
 }
 
 void Buffer::Release()

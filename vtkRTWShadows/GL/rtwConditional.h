@@ -14,7 +14,8 @@ public:
   Conditional(const Conditional&) = delete;
   Conditional& operator=(const Conditional&) = delete;
 
-  /// Draws what decides: whether any fragment of it is left.
+  /// Draws what decides: whether any fragment of it is left. While somebody else's query counts fragments there can be
+  /// none of ours, and nothing of it is said to be left.
   void Decide(const std::function<void()>& draw);
   /// Draws and dispatches, if one was.
   void Draw(const std::function<void()>& draw) const;
@@ -23,6 +24,7 @@ public:
 
 private:
   unsigned int Id = 0;
+  bool Decided = false;
 };
 }
 

@@ -3,6 +3,7 @@
 
 #include "rtwBuffer.h"
 #include "rtwOpenGL.h"
+#include "rtwStateRecord.h"
 
 namespace rtw
 {
@@ -36,14 +37,13 @@ void MeshArray::Bind(const Buffer& points, const Buffer& indices, const Buffer& 
     glVertexAttribPointer(1 + column, 4, GL_FLOAT, GL_FALSE, 64, offset);
     glVertexAttribDivisor(1 + column, 1);
   }
-  indices.Bind(GL_ELEMENT_ARRAY_BUFFER);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices.GetId());
 }
 
 void MeshArray::DrawIndirect(const Buffer& commands, int count) const
 {
   commands.Bind(GL_DRAW_INDIRECT_BUFFER);
   glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, nullptr, count, sizeof(DrawCommand));
-  glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
 }
 
 void MeshArray::Draw(Primitive primitive, const DrawCommand& command) const
@@ -73,15 +73,10 @@ void PulledVertices::DrawIndirect(
   }
   glBindVertexArray(this->Id);
   commands.Bind(GL_DRAW_INDIRECT_BUFFER);
-  const bool sized = glIsEnabled(GL_PROGRAM_POINT_SIZE) == GL_TRUE;
-  glEnable(GL_PROGRAM_POINT_SIZE);
+  SetEnabled(GL_PROGRAM_POINT_SIZE, true);
   glMultiDrawArraysIndirect(Modes[static_cast<int>(primitive)],
     static_cast<const char*>(nullptr) + offset, count, static_cast<GLsizei>(stride));
-  if (!sized)
-  {
-    glDisable(GL_PROGRAM_POINT_SIZE);
-  }
-  glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
+  SetEnabled(GL_PROGRAM_POINT_SIZE, false);
 }
 
 void PulledVertices::Release()
@@ -172,7 +167,6 @@ void DispatchIndirect(const Buffer& groups, std::size_t offset)
 {
   groups.Bind(GL_DISPATCH_INDIRECT_BUFFER);
   glDispatchComputeIndirect(static_cast<GLintptr>(offset));
-  glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, 0);
   ShowWhatWasWritten();
 }
 

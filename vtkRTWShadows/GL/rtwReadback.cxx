@@ -3,6 +3,7 @@
 
 #include "rtwBuffer.h"
 #include "rtwOpenGL.h"
+#include "rtwStateRecord.h"
 
 #include <cstring>
 
@@ -28,16 +29,15 @@ void Readback::Start(const Buffer& from, std::size_t bytes)
     glGenBuffers(1, &this->Id);
   }
   this->Bytes = bytes;
+  const BriefChange change;
   from.Bind(GL_COPY_READ_BUFFER);
-  glBindBuffer(GL_COPY_WRITE_BUFFER, this->Id);
+  BindBuffer(GL_COPY_WRITE_BUFFER, this->Id);
   if (!fits)
   {
     glBufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(bytes), nullptr, GL_STREAM_READ);
   }
   glCopyBufferSubData(
     GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0, static_cast<GLsizeiptr>(bytes));
-  glBindBuffer(GL_COPY_READ_BUFFER, 0);
-  glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
   this->Fence = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
 }
 
@@ -60,7 +60,8 @@ bool Readback::Read(void* data)
   {
     return false;
   }
-  glBindBuffer(GL_COPY_READ_BUFFER, this->Id);
+  const BriefChange change;
+  BindBuffer(GL_COPY_READ_BUFFER, this->Id);
   const void* values =
     glMapBufferRange(GL_COPY_READ_BUFFER, 0, static_cast<GLsizeiptr>(this->Bytes), GL_MAP_READ_BIT);
   bool whole = false;
@@ -69,7 +70,6 @@ bool Readback::Read(void* data)
     std::memcpy(data, values, this->Bytes);
     whole = glUnmapBuffer(GL_COPY_READ_BUFFER) == GL_TRUE;
   }
-  glBindBuffer(GL_COPY_READ_BUFFER, 0);
   return whole;
 }
 

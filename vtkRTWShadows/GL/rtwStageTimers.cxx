@@ -7,38 +7,39 @@
 namespace rtw
 {
 StageTimers::Scope::Scope(StageTimers& timers, const char* stage)
-  : Timers(timers.Enabled ? &timers : nullptr)
+  : End(timers.Enabled ? timers.Begin(stage) : 0)
 {
-  if (this->Timers)
-  {
-    this->Timers->Begin(stage);
-  }
 }
 
 StageTimers::Scope::~Scope()
 {
-  if (this->Timers)
+  if (this->End)
   {
-    this->Timers->End();
+    glQueryCounter(this->End, GL_TIMESTAMP);
   }
 }
 
-void StageTimers::Begin(const char* stage)
+unsigned int StageTimers::TakeQuery()
 {
+  GLuint id = 0;
   if (this->Free.empty())
   {
-    GLuint id = 0;
     glGenQueries(1, &id);
-    this->Free.push_back(id);
   }
-  this->Frames[this->Current].push_back({ stage, this->Free.back() });
-  this->Free.pop_back();
-  glBeginQuery(GL_TIME_ELAPSED, this->Frames[this->Current].back().Id);
+  else
+  {
+    id = this->Free.back();
+    this->Free.pop_back();
+  }
+  return id;
 }
 
-void StageTimers::End()
+unsigned int StageTimers::Begin(const char* stage)
 {
-  glEndQuery(GL_TIME_ELAPSED);
+  const Query query{ stage, this->TakeQuery(), this->TakeQuery() };
+  this->Frames[this->Current].push_back(query);
+  glQueryCounter(query.Start, GL_TIMESTAMP);
+  return query.End;
 }
 
 // From the oldest on, so that the newest that is ready stays.
@@ -58,7 +59,7 @@ void StageTimers::Collect(std::vector<Query>& queries)
   GLint ready = 0;
   if (!queries.empty())
   {
-    glGetQueryObjectiv(queries.back().Id, GL_QUERY_RESULT_AVAILABLE, &ready);
+    glGetQueryObjectiv(queries.back().End, GL_QUERY_RESULT_AVAILABLE, &ready);
   }
   if (!ready)
   {
@@ -67,15 +68,16 @@ void StageTimers::Collect(std::vector<Query>& queries)
   this->Results.clear();
   for (const Query& query : queries)
   {
-    GLuint64 nanoseconds = 0;
-    glGetQueryObjectui64v(query.Id, GL_QUERY_RESULT, &nanoseconds);
+    GLuint64 start = 0, end = 0;
+    glGetQueryObjectui64v(query.Start, GL_QUERY_RESULT, &start);
+    glGetQueryObjectui64v(query.End, GL_QUERY_RESULT, &end);
     const auto same = [&](const Result& result) { return result.Name == query.Stage; };
     auto at = std::find_if(this->Results.begin(), this->Results.end(), same);
     if (at == this->Results.end())
     {
       at = this->Results.insert(at, { query.Stage, 0.0 });
     }
-    at->Milliseconds += 1e-6 * static_cast<double>(nanoseconds);
+    at->Milliseconds += 1e-6 * static_cast<double>(end - start);
   }
   this->Forget(queries);
 }
@@ -84,7 +86,8 @@ void StageTimers::Forget(std::vector<Query>& queries)
 {
   for (const Query& query : queries)
   {
-    this->Free.push_back(query.Id);
+    this->Free.push_back(query.Start);
+    this->Free.push_back(query.End);
   }
   queries.clear();
 }

@@ -1,4 +1,5 @@
-// GPU time of each stage of a frame, read when it is ready so that nothing waits.
+// GPU time of each stage of a frame, read when it is ready so that nothing waits. Each is the time between two stamps: of
+// elapsed time there can be only one query under way, and that may be somebody else's.
 #ifndef rtwStageTimers_h
 #define rtwStageTimers_h
 
@@ -24,7 +25,7 @@ public:
     Scope& operator=(const Scope&) = delete;
 
   private:
-    StageTimers* Timers;
+    unsigned int End = 0;
   };
 
   void SetEnabled(bool enabled) { this->Enabled = enabled; }
@@ -41,7 +42,8 @@ private:
   struct Query
   {
     std::string Stage;
-    unsigned int Id;
+    unsigned int Start;
+    unsigned int End;
   };
   struct Result
   {
@@ -50,8 +52,8 @@ private:
   };
   static constexpr int FramesKept = 3;
 
-  void Begin(const char* stage);
-  void End();
+  unsigned int TakeQuery();
+  unsigned int Begin(const char* stage); ///< the query that ends it
   void Collect(std::vector<Query>& queries);
   void Forget(std::vector<Query>& queries);
 

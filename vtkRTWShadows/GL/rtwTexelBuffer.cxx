@@ -2,6 +2,7 @@
 #include "rtwTexelBuffer.h"
 
 #include "rtwOpenGL.h"
+#include "rtwStateRecord.h"
 
 namespace rtw
 {
@@ -25,9 +26,9 @@ void TexelBuffer::Allocate(int components, std::size_t elements, bool integers)
   {
     glGenTextures(1, &this->Texture);
   }
-  glBindTexture(GL_TEXTURE_BUFFER, this->Texture);
+  const BriefChange change;
+  BindTexture(WorkUnit, GL_TEXTURE_BUFFER, this->Texture);
   glTexBuffer(GL_TEXTURE_BUFFER, Formats[integers][components / 2], this->Values.GetId());
-  glBindTexture(GL_TEXTURE_BUFFER, 0);
 }
 
 void TexelBuffer::Write(std::size_t first, const float* values, std::size_t elements)
@@ -48,14 +49,7 @@ void TexelBuffer::Read(std::size_t first, void* values, std::size_t elements) co
 
 void TexelBuffer::Bind(int unit) const
 {
-  glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-  glBindTexture(GL_TEXTURE_BUFFER, this->Texture);
-}
-
-void TexelBuffer::Unbind(int unit) const
-{
-  glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-  glBindTexture(GL_TEXTURE_BUFFER, 0);
+  BindTexture(unit, GL_TEXTURE_BUFFER, this->Texture);
 }
 
 void TexelBuffer::BindUniforms(unsigned int binding, std::size_t offset, std::size_t bytes) const

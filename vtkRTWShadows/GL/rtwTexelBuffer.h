@@ -36,7 +36,6 @@ public:
   void Read(std::size_t first, void* values, std::size_t elements) const;
   /// Binds it to a texture unit, by its number.
   void Bind(int unit) const;
-  void Unbind(int unit) const;
   void Clear() { this->Values.Clear(); } ///< fills it with zeros
   void BindStorage(unsigned int binding) const { this->Values.BindStorage(binding); }
   void BindUniforms(unsigned int binding, std::size_t offset, std::size_t bytes) const;

@@ -1,6 +1,7 @@
 #include "rtwTexture.h"
 
 #include "rtwOpenGL.h"
+#include "rtwStateRecord.h"
 
 #include <algorithm>
 #include <vector>
@@ -64,10 +65,10 @@ void Texture::AllocateSamples(Format format, int width, int height, int samples)
 {
   if (this->Becomes(format, width, height, 0, samples))
   {
-    glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, this->Id);
+    const BriefChange change;
+    BindTexture(WorkUnit, GL_TEXTURE_2D_MULTISAMPLE, this->Id);
     glTexImage2DMultisample(
       GL_TEXTURE_2D_MULTISAMPLE, samples, Info(format).Internal, width, height, GL_TRUE);
-    glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, 0);
   }
 }
 
@@ -79,7 +80,9 @@ void Texture::Allocate(Format format, int width, int height, int layers)
   }
   const FormatInfo& info = Info(format);
   const GLenum target = this->GetTarget();
-  glBindTexture(target, this->Id);
+  const BriefChange change;
+  UnpackNothing();
+  BindTexture(WorkUnit, target, this->Id);
   glTexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   glTexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   glTexParameteri(target, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
@@ -95,7 +98,6 @@ void Texture::Allocate(Format format, int width, int height, int layers)
   {
     glTexImage2D(target, 0, internal, width, height, 0, info.External, info.Type, nullptr);
   }
-  glBindTexture(target, 0);
 }
 
 bool Texture::CopyFromTarget(int x, int y) const
@@ -110,23 +112,16 @@ bool Texture::CopyFromTarget(int x, int y) const
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
   glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &source);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(target));
-  glBindTexture(GL_TEXTURE_2D, this->Id);
+  const BriefChange change;
+  BindTexture(WorkUnit, GL_TEXTURE_2D, this->Id);
   glCopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, x, y, this->Width, this->Height);
-  glBindTexture(GL_TEXTURE_2D, 0);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(source));
   return true;
 }
 
 void Texture::Bind(int unit) const
 {
-  glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-  glBindTexture(this->GetTarget(), this->Id);
-}
-
-void Texture::Unbind(int unit) const
-{
-  glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-  glBindTexture(this->GetTarget(), 0);
+  BindTexture(unit, this->GetTarget(), this->Id);
 }
 
 void Texture::ReadFloats(int layer, float* values) const
@@ -134,7 +129,9 @@ void Texture::ReadFloats(int layer, float* values) const
   const FormatInfo& info = Info(this->Kind);
   const std::size_t perLayer =
     static_cast<std::size_t>(this->Width) * this->Height * info.Components;
-  glBindTexture(this->GetTarget(), this->Id);
+  const BriefChange change;
+  PackTightly();
+  BindTexture(WorkUnit, this->GetTarget(), this->Id);
   if (this->Layers == 0)
   {
     glGetTexImage(GL_TEXTURE_2D, 0, info.External, GL_FLOAT, values);
@@ -145,7 +142,6 @@ void Texture::ReadFloats(int layer, float* values) const
     glGetTexImage(GL_TEXTURE_2D_ARRAY, 0, info.External, GL_FLOAT, all.data());
     std::copy_n(all.data() + perLayer * layer, perLayer, values);
   }
-  glBindTexture(this->GetTarget(), 0);
 }
 
 void Texture::Release()

@@ -35,7 +35,6 @@ public:
   bool CopyFromTarget(int x, int y) const;
   /// Binds it to a texture unit, by its number.
   void Bind(int unit) const;
-  void Unbind(int unit) const;
   /// One layer (or all, where it is no array), row by row from the bottom, as floats.
   void ReadFloats(int layer, float* values) const;
   void Release();

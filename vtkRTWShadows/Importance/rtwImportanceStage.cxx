@@ -237,28 +237,19 @@ void ImportanceStage::Analyse(const std::vector<LightFrame>& frames,
   input.Samples.Bind(*this->Analysing);
   table.Bind(*this->Analysing);
   this->Set(settings, input);
-  std::vector<std::pair<const Texture*, int>> textures;
   if (input.LightImages)
   {
-    textures.emplace_back(&input.LightImages->GetDepths(), DepthUnit);
-    textures.emplace_back(&input.LightImages->GetGradients(), GradientUnit);
+    input.LightImages->GetDepths().Bind(DepthUnit);
+    input.LightImages->GetGradients().Bind(GradientUnit);
   }
   if (input.LastMask)
   {
-    textures.emplace_back(input.LastMask, MaskUnit);
-  }
-  for (const auto& [texture, unit] : textures)
-  {
-    texture->Bind(unit);
+    input.LastMask->Bind(MaskUnit);
   }
   for (std::size_t layer = 0; layer < frames.size(); ++layer)
   {
     this->SetLayer(frames[layer], static_cast<int>(layer), settings, input);
     this->Collect(input, static_cast<int>(layer));
-  }
-  for (const auto& [texture, unit] : textures)
-  {
-    texture->Unbind(unit);
   }
 }
 

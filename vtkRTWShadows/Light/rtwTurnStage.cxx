@@ -103,10 +103,6 @@ void TurnStage::List(const LightFrame& frame, int light, const TurnInput& input)
   this->Listing.Set("rtwFineStep", std::max(step / LooksForEdges, 1));
   this->Listing.Set("rtwSlots", Slots);
   Dispatch(Groups((width + step - 1) / step, 16), Groups((height + step - 1) / step, 16));
-  if (input.Mask)
-  {
-    input.Mask->Unbind(MaskUnit);
-  }
 }
 
 void TurnStage::BindList(const Program& program) const

@@ -95,7 +95,6 @@ void DebugStage::Paint(DebugView view, const DebuggedMap& map, const Texture& ma
   this->Painting.Set("rtwMask", MaskUnit);
   mask.Bind(MaskUnit);
   this->Triangle.DrawOver();
-  mask.Unbind(MaskUnit);
 }
 
 bool DebugStage::Measure(const DebuggedMap& map, Texture& error)

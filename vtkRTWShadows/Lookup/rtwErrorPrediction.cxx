@@ -77,8 +77,6 @@ bool ErrorPrediction::Draw(const DrawnShadows& shadows)
   this->Adding.Set("rtwOwnMask", OwnMaskUnit);
   this->Adding.Set("rtwOtherLayers", shadows.Map.OtherLayers);
   this->Triangle.Draw();
-  shadows.Mask.Unbind(MaskUnit);
-  own.Unbind(OwnMaskUnit);
   return true;
 }
 

@@ -138,7 +138,6 @@ void ExactShadows::Resolve(const Program& program, const MaskJob& job, int light
   MaskStage::SetLookup(
     program, { job.Lights, 0, job.Layers, job.Table }, light, light + job.OtherLayers);
   this->Triangle.Draw();
-  MaskStage::UnbindMaps(job.Layers);
 }
 
 bool ExactShadows::PaintLists(const MaskJob& job, int light, double rounding)

@@ -101,12 +101,6 @@ void MaskStage::SetLookup(
   glUniform4fv(program.Location("rtwTaps"), 1, lights.Taps.data() + 4 * light);
 }
 
-void MaskStage::UnbindMaps(const DenseLayers& layers)
-{
-  layers.GetDepths().Unbind(DepthUnit);
-  layers.GetGradients().Unbind(GradientUnit);
-}
-
 void MaskStage::Render(const ReceiverLights& lights, int otherLayers, const ViewSampler& samples,
   const DenseLayers& layers, const WarpTable& table)
 {
@@ -128,7 +122,6 @@ void MaskStage::Render(const ReceiverLights& lights, int otherLayers, const View
     this->BindGathered(light);
     this->Triangle.Draw();
   }
-  UnbindMaps(layers);
 }
 
 void MaskStage::GatherLayers(const WarpTable& table, int layers)

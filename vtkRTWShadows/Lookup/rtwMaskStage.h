@@ -49,7 +49,6 @@ public:
   /// Gives a program with a light's lookup in it what that needs; it begins at that layer.
   static void SetLookup(
     const Program& program, const MaskLookup& lookup, int light, int firstLayer);
-  static void UnbindMaps(const DenseLayers& layers);
   const Texture& GetMask() const { return this->Mask; }
   void Release();
   void Abandon();

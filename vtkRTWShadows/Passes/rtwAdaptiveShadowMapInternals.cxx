@@ -3,7 +3,6 @@
 
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseVectorKey.h"
-#include "vtkOpenGLState.h"
 #include "vtkProp.h"
 #include "vtkShadowMapPartition.h"
 #include "vtkShadowMapWarp.h"
@@ -92,8 +91,10 @@ vtkAdaptiveShadowMapPass::Internals::Attachment::Attachment(Internals& internals
   uniforms.GridUnit = this->Units.back();
   uniforms.BitsUnit = this->Units[hasSamples ? 4 : 3];
   uniforms.ManyUnit = this->Units[hasSamples ? 5 : 3];
-  this->My.Pipeline.BindTextures(uniforms, phase == rtw::Phase::Picture);
-  this->My.Window->GetState()->ResetGLActiveTexture();
+  {
+    const rtw::StateRecord::Scope taking(&this->Bound);
+    this->My.Pipeline.BindTextures(uniforms, phase == rtw::Phase::Picture);
+  }
   for (vtkProp* prop : this->Props)
   {
     vtkInformation* keys = prop->GetPropertyKeys();
@@ -112,8 +113,7 @@ vtkAdaptiveShadowMapPass::Internals::Attachment::~Attachment()
   vtkTextureUnitManager* manager = this->My.Window->GetTextureUnitManager();
   if (this->IsComplete())
   {
-    this->My.Pipeline.UnbindTextures(this->My.Uniforms);
-    this->My.Window->GetState()->ResetGLActiveTexture();
+    this->Bound.GiveBack();
     for (vtkProp* prop : this->Props)
     {
       vtkInformation* keys = prop->GetPropertyKeys();

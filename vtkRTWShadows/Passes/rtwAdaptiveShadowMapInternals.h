@@ -8,6 +8,7 @@
 #include "rtwReceiverShader.h"
 #include "rtwFrameScene.h"
 #include "rtwShadowPipeline.h"
+#include "rtwStateRecord.h"
 
 #include "vtkAdaptiveShadowMapPass.h"
 #include "vtkImageData.h"
@@ -82,6 +83,7 @@ public:
     std::vector<vtkProp*> Props;
     std::vector<int> Units;
     std::size_t Needed;
+    rtw::StateRecord Bound;
   };
 };
 

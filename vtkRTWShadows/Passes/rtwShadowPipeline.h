@@ -127,7 +127,6 @@ public:
   ReceiverUniforms MakeUniforms(const PipelineOptions& options) const;
   /// Binds the table, and the maps and the mask unless maps are drawn into, to texture units.
   void BindTextures(const ReceiverUniforms& units, bool maps) const;
-  void UnbindTextures(const ReceiverUniforms& units) const;
   /// To the largest maps of so many layers that the GPU allows.
   int ClampResolution(unsigned int resolution, std::size_t layers) const;
   StageTimers& GetTimers() { return this->Timers; }

@@ -46,21 +46,4 @@ void ShadowPipeline::BindTextures(const ReceiverUniforms& units, bool maps) cons
     this->Sampler.GetManySamples().Bind(units.ManyUnit);
   }
 }
-
-void ShadowPipeline::UnbindTextures(const ReceiverUniforms& units) const
-{
-  this->Table.GetValues().Unbind(units.WarpUnit);
-  if (units.GridLayers > 0)
-  {
-    this->Table.GetGrid().Unbind(units.GridUnit);
-  }
-  this->Layers.GetDepths().Unbind(units.DepthUnit);
-  this->Layers.GetGradients().Unbind(units.GradientUnit);
-  this->Masking.GetMask().Unbind(units.MaskUnit);
-  if (!units.Points.empty())
-  {
-    this->Masking.GetBits().Unbind(units.BitsUnit);
-    this->Sampler.GetManySamples().Unbind(units.ManyUnit);
-  }
-}
 }
