@@ -127,8 +127,9 @@ struct Collector
     }
   }
 
-  // The parts of a prop where each of them is a plain mesh; none otherwise.
-  bool CollectMeshes(vtkProp* prop, bool casts, bool receives, std::vector<ScenePart>& parts)
+  // The parts of a prop where each of them is a plain mesh; none otherwise. `thick` where they show less than is seen of it.
+  bool CollectMeshes(
+    vtkProp* prop, bool casts, bool receives, std::vector<ScenePart>& parts, bool& thick)
   {
     bool plain = this->OwnDrawing;
     prop->InitPathTraversal();
@@ -146,22 +147,24 @@ struct Collector
         const glm::dmat4 toWorld = node->GetMatrix() ? ToGlm(node->GetMatrix()) : glm::dmat4(1);
         const bool opaque = actor->GetProperty()->GetOpacity() >= 1;
         this->Result.SamplesAreComplete = this->Result.SamplesAreComplete && DrawsAllAsIs(actor);
+        thick = thick || IsThickActor(actor);
         const bool lit = receives && actor->GetProperty()->GetLighting();
         for (vtkPolyData* mesh : MeshesOf(actor))
         {
-          parts.push_back({ mesh, toWorld, casts, lit && opaque, !lit && opaque });
+          parts.push_back({ mesh, toWorld, casts, lit && opaque, !lit && opaque, LookOf(actor) });
         }
       }
     }
     return plain;
   }
 
-  void MixIn(vtkProp* prop, const std::vector<ScenePart>& parts, bool casts, bool receives)
+  void MixIn(
+    vtkProp* prop, const std::vector<ScenePart>& parts, bool casts, bool receives, bool thick)
   {
     std::uint64_t& signature = this->Result.Signature;
     signature = Mix(signature, reinterpret_cast<std::uint64_t>(prop));
     signature = Mix(signature, std::uint64_t(casts) | std::uint64_t(receives) << 1);
-    if (parts.empty())
+    if (parts.empty() || thick)
     {
       signature = Mix(signature, std::uint64_t(prop->GetRedrawMTime()));
     }
@@ -169,6 +172,8 @@ struct Collector
     {
       signature = Mix(signature, reinterpret_cast<std::uint64_t>(part.Data));
       signature = Mix(signature, std::uint64_t(MeshTime(part.Data)));
+      signature = Mix(Mix(signature, part.Look.LineWidth), part.Look.PointSize);
+      signature = Mix(Mix(signature, std::uint64_t(part.Look.Drawn)), std::uint64_t(part.Look.AllPoints));
       signature = Mix(Mix(signature, std::uint64_t(part.Receives) | std::uint64_t(part.Hides) << 1), part.ToWorld);
     }
   }
@@ -181,17 +186,26 @@ struct Collector
     }
     const bool casts = Flag(prop, this->Keys.Casts), receives = Flag(prop, this->Keys.Receives);
     std::vector<ScenePart> parts;
-    const bool plain = this->CollectMeshes(prop, casts, receives, parts);
+    bool thick = false;
+    const bool plain = this->CollectMeshes(prop, casts, receives, parts, thick);
     if (!plain)
     {
       parts.clear();
+    }
+    for (ScenePart& part : parts)
+    {
+      part.Receives = part.Receives && !thick;
+      part.Hides = part.Hides && !thick;
+    }
+    if (!plain || thick)
+    {
       this->Result.SamplesAreComplete = false;
       this->Result.Props.push_back(
-        { prop, casts, receives, prop->HasTranslucentPolygonalGeometry() != 0 });
+        { prop, casts && !plain, receives, prop->HasTranslucentPolygonalGeometry() != 0 });
     }
     // Bounds need an updated pipeline, which collecting the meshes saw to.
     this->AddBounds(prop, plain, receives && prop->HasTranslucentPolygonalGeometry());
-    this->MixIn(prop, parts, casts, receives);
+    this->MixIn(prop, parts, casts, receives, thick);
     this->Result.Shaded.push_back(prop);
     this->Result.Parts.insert(this->Result.Parts.end(), parts.begin(), parts.end());
   }

@@ -3,6 +3,8 @@
 #ifndef rtwFrameScene_h
 #define rtwFrameScene_h
 
+#include "rtwThickLook.h"
+
 #include <glm/glm.hpp>
 
 #include "vtkType.h"
@@ -26,9 +28,11 @@ struct ScenePart
   bool Casts;
   bool Receives; ///< and is opaque, so that it belongs into the view samples
   bool Hides;    ///< is opaque but receives nothing: among the view samples it only hides what is behind
+  ThickLook Look; ///< of its lines and points
 };
 
-/// What only its own VTK mapper knows how to draw: imposters, glyphs, cut-outs, clipped meshes and so on.
+/// What only its own VTK mapper knows how to draw: imposters, glyphs, cut-outs, clipped meshes and so on. Where it doesn't
+/// cast, it is only seen so, and may cast by parts.
 struct SceneProp
 {
   vtkProp* Prop;

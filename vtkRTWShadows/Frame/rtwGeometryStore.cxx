@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
 #include <limits>
 
 namespace rtw
@@ -96,7 +97,89 @@ void GeometryStore::AddThinDraws(const Mesh& mesh, std::uint32_t instance)
   }
 }
 
-void GeometryStore::Update(const std::vector<ScenePart>& parts)
+// Room for what the GPU writes.
+void GeometryStore::PlaceThick()
+{
+  const std::size_t points = this->Thick.GetNumberOfPoints();
+  const std::size_t clusters = this->Thick.GetRuns().size();
+  if (points != this->ThickPoints || clusters != this->ThickClusters)
+  {
+    this->PointRanges.Free(this->ThickAt.FirstPoint, this->ThickPoints);
+    this->ClusterRanges.Free(this->ThickAt.FirstCluster, this->ThickClusters);
+    this->ThickAt = { this->PointRanges.Allocate(points), this->ClusterRanges.Allocate(clusters) };
+    this->ThickPoints = points;
+    this->ThickClusters = clusters;
+    this->Points.Reserve(this->PointRanges.GetEnd() * sizeof(glm::vec3), true);
+    this->Clusters.Reserve(this->ClusterRanges.GetEnd() * sizeof(GpuCluster), true);
+    this->ThickRuns.clear();
+  }
+  if (!this->ThickIndices && clusters > 0)
+  {
+    this->ThickIndices.emplace();
+    for (std::size_t k = 0; k < ThickRun::Sides.size(); ++k)
+    {
+      const std::vector<std::uint32_t> indices = ThickPrimitives::IndicesOf(ThickRun::Sides[k]);
+      const std::size_t first = this->IndexRanges.Allocate(indices.size());
+      this->Indices.Reserve(this->IndexRanges.GetEnd() * sizeof(std::uint32_t), true);
+      this->Indices.Write(first * sizeof(std::uint32_t), indices.data(),
+        indices.size() * sizeof(std::uint32_t));
+      (*this->ThickIndices)[k] = first;
+    }
+  }
+}
+
+// Where they lie the GPU finds for each light.
+void GeometryStore::UploadThick()
+{
+  const std::vector<ThickRun>& runs = this->Thick.GetRuns();
+  if (runs == this->ThickRuns)
+  {
+    return;
+  }
+  this->ThickRuns = runs;
+  std::vector<GpuCluster> clusters;
+  auto point = static_cast<std::uint32_t>(this->ThickAt.FirstPoint);
+  for (const ThickRun& run : runs)
+  {
+    GpuCluster cluster{};
+    cluster.FirstIndex = static_cast<std::uint32_t>((*this->ThickIndices)[run.Class]);
+    cluster.BaseVertex = point;
+    std::fill(std::begin(cluster.ClassEnd), std::end(cluster.ClassEnd), 3 * run.GetTriangles());
+    clusters.push_back(cluster);
+    point += run.GetPoints();
+  }
+  this->Clusters.Write(this->ThickAt.FirstCluster * sizeof(GpuCluster), clusters.data(),
+    clusters.size() * sizeof(GpuCluster));
+}
+
+void GeometryStore::AddThick(std::vector<ClusterDraw>& draws)
+{
+  this->PlaceThick();
+  this->UploadThick();
+  const auto instance = static_cast<std::uint32_t>(this->Instances.size());
+  for (const glm::dvec3& centre : this->Thick.GetCentres())
+  {
+    this->Instances.push_back({ glm::translate(glm::dmat4(1), centre), true, false, false });
+  }
+  const std::vector<ThickRun>& runs = this->Thick.GetRuns();
+  for (std::size_t i = 0; i < runs.size(); ++i)
+  {
+    draws.push_back({ static_cast<std::uint32_t>(this->ThickAt.FirstCluster + i),
+      instance + runs[i].Group, ClusterDraw::CastsBit, 0 });
+    this->NumberOfTriangles += runs[i].GetTriangles();
+  }
+}
+
+void GeometryStore::Face(const glm::dvec4& light) const
+{
+  if (!this->Thick.IsEmpty() && this->Faced != light)
+  {
+    this->Faced = light;
+    this->Thick.Face(light, this->ThickAt, this->Points, this->Clusters);
+  }
+}
+
+void GeometryStore::Update(const std::vector<ScenePart>& parts, const View& view)
 {
   std::vector<ClusterDraw> draws;
   this->Instances.clear();
@@ -104,8 +187,14 @@ void GeometryStore::Update(const std::vector<ScenePart>& parts)
   this->ThinDraws.clear();
   this->NumberOfTriangles = 0;
   this->Hiding = false;
+  this->Faced.reset();
+  this->Thick.Update(parts, view);
   for (const ScenePart& part : parts)
   {
+    if (part.Look.Drawn != ThickLook::Shape::Surface)
+    {
+      continue;
+    }
     Mesh& mesh = this->Meshes[part.Data];
     const std::uint64_t time = MeshTime(part.Data);
     if (mesh.Time != time)
@@ -132,6 +221,7 @@ void GeometryStore::Update(const std::vector<ScenePart>& parts)
     this->NumberOfTriangles += mesh.Data.GetTriangleIndices() / 3;
   }
   this->DropUnused();
+  this->AddThick(draws);
   this->NumberOfDraws = static_cast<int>(draws.size());
   const bool same = draws.size() == this->Listed.size() &&
     std::memcmp(draws.data(), this->Listed.data(), draws.size() * sizeof(ClusterDraw)) == 0;
@@ -178,8 +268,9 @@ double GreatestOf(const MeshData& data, const glm::dvec3& direction, double leas
 
 glm::dvec2 GeometryStore::Extent(const glm::dvec3& direction) const
 {
-  double least = Infinity, greatest = -Infinity;
-  for (std::size_t i = 0; i < this->Instances.size(); ++i)
+  const glm::dvec2 thick = this->Thick.Extent(direction);
+  double least = thick.x, greatest = thick.y;
+  for (std::size_t i = 0; i < this->InstanceMeshes.size(); ++i)
   {
     const glm::dmat4& toWorld = this->Instances[i].ToWorld;
     const glm::dvec3 local = glm::transpose(glm::dmat3(toWorld)) * direction;
@@ -193,7 +284,7 @@ glm::dvec2 GeometryStore::Extent(const glm::dvec3& direction) const
 
 std::size_t GeometryStore::GetMemory() const
 {
-  return this->Points.GetSize() + this->Indices.GetSize() + this->Clusters.GetSize() +
+  return this->Thick.GetMemory() + this->Points.GetSize() + this->Indices.GetSize() + this->Clusters.GetSize() +
     this->Draws.GetSize();
 }
 
@@ -203,6 +294,7 @@ void GeometryStore::Release()
   {
     buffer->Release();
   }
+  this->Thick.Release();
   this->Abandon();
 }
 
@@ -220,6 +312,11 @@ void GeometryStore::Abandon()
   this->InstanceMeshes.clear();
   this->ThinDraws.clear();
   this->Listed.clear();
+  this->Thick.Abandon();
+  this->Faced.reset();
+  this->ThickRuns.clear();
+  this->ThickIndices.reset();
+  this->ThickPoints = this->ThickClusters = 0;
   this->NumberOfDraws = 0;
 }
 }

@@ -8,8 +8,12 @@
 #include "rtwMeshData.h"
 #include "rtwRangeAllocator.h"
 #include "rtwFrameScene.h"
+#include "rtwThickPrimitives.h"
 
+#include <array>
 #include <cstdint>
+#include <optional>
+#include <string>
 #include <unordered_map>
 #include <vector>
 
@@ -37,7 +41,7 @@ struct ClusterDraw
   std::uint32_t Unused;
 };
 
-/// Lines or vertices of a mesh at a place; they are too few to cull.
+/// Lines or vertices of a mesh at a place, as they are seen; they are too few to cull.
 struct ThinDraw
 {
   Primitive Kind;
@@ -47,8 +51,15 @@ struct ThinDraw
 class GeometryStore
 {
 public:
-  /// Uploads what is new or changed, drops what has left, and lists what there is to draw.
-  void Update(const std::vector<ScenePart>& parts);
+  /// Compiles; false, with the reason in GetLog(), where the driver can't.
+  bool Build() { return this->Thick.Build(); }
+  const std::string& GetLog() const { return this->Thick.GetLog(); }
+  /// Uploads what is new or changed, drops what has left, and lists what there is to draw. Lines and points cast as wide as that
+  /// view shows them.
+  void Update(const std::vector<ScenePart>& parts, const View& view);
+  /// To be called before anything is cast: turns the lines and points toward where light comes from, a place, or, w being 0, the
+  /// way there.
+  void Face(const glm::dvec4& light) const;
 
   const std::vector<Instance>& GetInstances() const { return this->Instances; }
   const std::vector<ThinDraw>& GetThinDraws() const { return this->ThinDraws; }
@@ -79,6 +90,9 @@ private:
   void Free(const Mesh& mesh);
   void DropUnused();
   void AddThinDraws(const Mesh& mesh, std::uint32_t instance);
+  void PlaceThick();
+  void UploadThick();
+  void AddThick(std::vector<ClusterDraw>& draws);
 
   Buffer Points, Indices, Clusters, Draws;
   RangeAllocator PointRanges, IndexRanges, ClusterRanges;
@@ -87,6 +101,13 @@ private:
   std::vector<const Mesh*> InstanceMeshes;
   std::vector<ThinDraw> ThinDraws;
   std::vector<ClusterDraw> Listed;
+  /// What they are made of changes with the light that is to be cast next, what they are doesn't.
+  mutable ThickPrimitives Thick;
+  mutable std::optional<glm::dvec4> Faced;
+  std::vector<ThickRun> ThickRuns; ///< as uploaded
+  ThickPlace ThickAt{ 0, 0 };
+  std::size_t ThickPoints = 0, ThickClusters = 0; ///< the room that they have
+  std::optional<std::array<std::size_t, 3>> ThickIndices; ///< where those of each of ThickRun::Sides stand
   bool Hiding = false;
   int NumberOfDraws = 0;
   std::size_t NumberOfTriangles = 0;

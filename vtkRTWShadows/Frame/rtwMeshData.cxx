@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rtwMeshData.h"
 
+#include "rtwMorton.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkPoints.h"
@@ -27,24 +29,6 @@ struct Sortable
 
 // Octaves of size that share a group of clusters: a ground plane must not stretch the bounds of the leaves over it.
 constexpr int OctavesPerGroup = 3;
-
-std::uint64_t SpreadBits(std::uint64_t x)
-{
-  x &= 0x1fffff;
-  x = (x | x << 32) & 0x1f00000000ffffull;
-  x = (x | x << 16) & 0x1f0000ff0000ffull;
-  x = (x | x << 8) & 0x100f00f00f00f00full;
-  x = (x | x << 4) & 0x10c30c30c30c30c3ull;
-  return (x | x << 2) & 0x1249249249249249ull;
-}
-
-std::uint64_t MortonCode(const glm::vec3& unit)
-{
-  // 19 bits an axis leave room for the size group above them.
-  const glm::vec3 scaled = glm::clamp(unit, glm::vec3(0), glm::vec3(1)) * 524287.f;
-  return SpreadBits(std::uint64_t(scaled.x)) | SpreadBits(std::uint64_t(scaled.y)) << 1 |
-    SpreadBits(std::uint64_t(scaled.z)) << 2;
-}
 
 bool IsFinite(const glm::vec3& p)
 {

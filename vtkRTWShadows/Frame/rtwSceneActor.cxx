@@ -67,16 +67,6 @@ bool HasTranslucentScalars(vtkActor* actor, vtkMapper* mapper)
     actor->HasTranslucentPolygonalGeometry();
 }
 
-// Tubes and spheres are made by fragment shaders around lines and vertices.
-bool HasRoundPrimitives(vtkActor* actor, const std::vector<vtkPolyData*>& meshes)
-{
-  const bool tubes = actor->GetProperty()->GetRenderLinesAsTubes();
-  const bool spheres = actor->GetProperty()->GetRenderPointsAsSpheres();
-  return std::any_of(meshes.begin(), meshes.end(), [&](vtkPolyData* mesh) {
-    return (tubes && mesh->GetNumberOfLines() > 0) || (spheres && mesh->GetNumberOfVerts() > 0);
-  });
-}
-
 void CollectBlocks(vtkDataObject* block, bool visible,
   const vtkCompositeDataDisplayAttributes* attributes, std::vector<vtkPolyData*>& meshes)
 {
@@ -135,12 +125,42 @@ bool IsPlainMeshActor(vtkActor* actor)
     return false;
   }
   vtkPlaneCollection* planes = mapper->GetClippingPlanes();
-  if (actor->GetProperty()->GetRepresentation() != VTK_SURFACE ||
-    (planes && planes->GetNumberOfItems() > 0) || HasUserShaders(actor) || HasCutOuts(actor))
+  if ((planes && planes->GetNumberOfItems() > 0) || HasUserShaders(actor) || HasCutOuts(actor) ||
+    HasTranslucentScalars(actor, mapper))
   {
     return false;
   }
-  return !HasRoundPrimitives(actor, MeshesOf(actor)) && !HasTranslucentScalars(actor, mapper);
+  return true;
+}
+
+ThickLook LookOf(vtkActor* actor)
+{
+  vtkProperty* property = actor->GetProperty();
+  const int representation = property->GetRepresentation();
+  ThickLook look;
+  look.Drawn = representation == VTK_SURFACE ? ThickLook::Shape::Surface
+    : representation == VTK_WIREFRAME        ? ThickLook::Shape::Edges
+                                             : ThickLook::Shape::Points;
+  // Flat ones lie on the surface.
+  look.AllPoints = property->GetVertexVisibility() && property->GetRenderPointsAsSpheres();
+  look.LineWidth = property->GetLineWidth();
+  look.PointSize = property->GetPointSize();
+  return look;
+}
+
+bool IsThickActor(vtkActor* actor)
+{
+  const ThickLook look = LookOf(actor);
+  const bool lines = look.LineWidth > 1;
+  const bool points = look.PointSize > 1 || actor->GetProperty()->GetRenderPointsAsSpheres();
+  if (look.Drawn != ThickLook::Shape::Surface || look.AllPoints)
+  {
+    return true;
+  }
+  const std::vector<vtkPolyData*> meshes = MeshesOf(actor);
+  return std::any_of(meshes.begin(), meshes.end(), [&](vtkPolyData* mesh) {
+    return (lines && mesh->GetNumberOfLines() > 0) || (points && mesh->GetNumberOfVerts() > 0);
+  });
 }
 
 bool DrawsAllAsIs(vtkActor* actor)

@@ -3,6 +3,8 @@
 #ifndef rtwSceneActor_h
 #define rtwSceneActor_h
 
+#include "rtwThickLook.h"
+
 #include "vtkType.h"
 
 #include <vector>
@@ -12,11 +14,16 @@ class vtkPolyData;
 
 namespace rtw
 {
-/// Whether drawing the triangles, lines and vertices of its meshes, opaque, gives the same silhouette and depth as its own
-/// mapper does. Imposters, glyphs, cut-out textures, clipping planes, wireframes and shaders with user code don't.
+/// Whether what it draws is the triangles, lines and vertices of its meshes, opaque, so that they cast its shadow. Of imposters,
+/// glyphs, cut-out textures, clipping planes and shaders with user code that isn't so.
 bool IsPlainMeshActor(vtkActor* actor);
-/// Whether its own mapper then draws all of those triangles at no other depth: no culled faces, no offsets between coincident
-/// primitives.
+/// How it draws lines and points.
+ThickLook LookOf(vtkActor* actor);
+/// Whether any of them are wider than one pixel, or round, or all that is drawn of a surface: then only its own mapper draws what
+/// is seen of it.
+bool IsThickActor(vtkActor* actor);
+/// Whether the mapper of one that isn't draws all of its triangles at no other depth: no culled faces, no offsets between
+/// coincident primitives.
 bool DrawsAllAsIs(vtkActor* actor);
 /// The meshes of such an actor, brought up to date; hidden blocks of a composite dataset left out.
 std::vector<vtkPolyData*> MeshesOf(vtkActor* actor);

@@ -96,6 +96,12 @@ void FitSpot(LightFrame& frame, const ExtentFunction& extent, const glm::dvec3& 
 }
 }
 
+glm::dvec4 ShadowLight::GetOrigin() const
+{
+  return this->Kind == LightKind::Spot ? glm::dvec4(this->Position, 1)
+                                       : glm::dvec4(-this->Direction, 0);
+}
+
 bool ShadowLight::operator==(const ShadowLight& other) const
 {
   return this->Kind == other.Kind && this->Switched == other.Switched &&

@@ -29,6 +29,8 @@ struct ShadowLight
   double ConeAngle = 0;             ///< half of a spot's opening, in degrees
   double Attenuation = 1;           ///< how much of the light a shadow takes away, 0 to 1
 
+  /// Where light comes from: the place of a spot, or, w being 0, the way there.
+  glm::dvec4 GetOrigin() const;
   bool operator==(const ShadowLight& other) const;
 };
 

@@ -28,8 +28,6 @@
 #include "rtwStraightCasterVS.h"
 #include "rtwTessellateCasters.h"
 #include "rtwTessellatedCasterVS.h"
-#include "rtwThinCasterFS.h"
-#include "rtwThinCasterVS.h"
 #include "rtwWarpFocus.h"
 
 #include <algorithm>
@@ -76,10 +74,10 @@ const char* CoverOf(WarpKind kind)
 }
 }
 
-std::array<Program*, 8> CasterDrawing::Programs()
+std::array<Program*, 7> CasterDrawing::Programs()
 {
   return { &this->Starting, &this->CullingTriangles, &this->SettingUp, &this->Straight,
-    &this->Plane, &this->Bent, &this->Patches, &this->Thin };
+    &this->Plane, &this->Bent, &this->Patches };
 }
 
 std::array<Buffer*, 3> CasterDrawing::Buffers()
@@ -134,9 +132,6 @@ bool CasterDrawing::Build(const WarpShape& warp, TableAccess access)
       { GL_FRAGMENT_SHADER,
         { stored, rtwWarpFocus, warp.Function, rtwCasterGradient, rtwCasterPlane,
           rtwPlaneCasterFS } } }) &&
-    this->Thin.Build(
-      { { GL_VERTEX_SHADER, { stored, rtwWarpFocus, warp.Function, rtwThinCasterVS } },
-        { GL_FRAGMENT_SHADER, { rtwThinCasterFS } } }) &&
     (!this->InTiles || this->Tiles.Build(warp, access, limits));
 }
 
@@ -144,7 +139,7 @@ std::string CasterDrawing::GetLog() const
 {
   return this->Clusters.GetLog() + this->Starting.GetLog() + this->CullingTriangles.GetLog() +
     this->SettingUp.GetLog() + this->Straight.GetLog() + this->Plane.GetLog() +
-    this->Bent.GetLog() + this->Patches.GetLog() + this->Thin.GetLog() + this->Tiles.GetLog();
+    this->Bent.GetLog() + this->Patches.GetLog() + this->Tiles.GetLog();
 }
 
 std::size_t CasterDrawing::GetMemory() const
@@ -235,23 +230,6 @@ void CasterDrawing::DrawTriangles(const CasterLayer& layer, int clusters)
   this->Pulled.DrawIndirect(Primitive::Triangles, this->Work, 0, clusters, WorkBytes);
 }
 
-void CasterDrawing::DrawThin(const CasterLayer& layer)
-{
-  if (layer.Store.GetThinDraws().empty())
-  {
-    return;
-  }
-  this->Array.Bind(layer.Store.GetPoints(), layer.Store.GetIndices(), this->Clusters.GetMatrices());
-  layer.Prepare(this->Thin);
-  for (const ThinDraw& draw : layer.Store.GetThinDraws())
-  {
-    if (layer.Store.GetInstances()[draw.Command.BaseInstance].Casts)
-    {
-      this->Array.Draw(draw.Kind, draw.Command);
-    }
-  }
-}
-
 void CasterDrawing::Draw(const GeometryStore& store, const WarpTable& table,
   const LightFrame& frame, int index, const CasterOptions& options, const DeepestSamples* deepest)
 {
@@ -259,6 +237,7 @@ void CasterDrawing::Draw(const GeometryStore& store, const WarpTable& table,
   {
     return;
   }
+  store.Face(frame.Light.GetOrigin());
   const CasterLayer layer{ store, table, frame, index, options.Cull, this->BendingOf(options),
     options.EdgeLength, deepest };
   this->Clusters.Cull(layer);
@@ -270,7 +249,6 @@ void CasterDrawing::Draw(const GeometryStore& store, const WarpTable& table,
     this->SetUp(layer, most);
     this->DrawTriangles(layer, most);
   }
-  this->DrawThin(layer);
 }
 
 void CasterDrawing::Release()
@@ -287,7 +265,6 @@ void CasterDrawing::Release()
   this->BentCasters.Release();
   this->Covers.Release();
   this->Tiles.Release();
-  this->Array.Release();
   this->Pulled.Release();
 }
 
@@ -305,7 +282,6 @@ void CasterDrawing::Abandon()
   this->BentCasters.Abandon();
   this->Covers.Abandon();
   this->Tiles.Abandon();
-  this->Array.Abandon();
   this->Pulled.Abandon();
 }
 }

@@ -41,25 +41,23 @@ public:
   void Abandon();
 
 private:
-  std::array<Program*, 8> Programs();
+  std::array<Program*, 7> Programs();
   std::array<Buffer*, 3> Buffers();
   Bending BendingOf(const CasterOptions& options) const;
   void Start(const CasterLayer& layer, int first, int most);
   void SetUp(const CasterLayer& layer, int clusters);
   void DrawTriangles(const CasterLayer& layer, int clusters);
-  void DrawThin(const CasterLayer& layer);
 
   std::string Warp;
   bool InTiles = false; ///< whether bent triangles are covered by tiles of the map
   bool Projective = false; ///< it keeps edges straight
   TableAccess Access = TableAccess::Storage;
   CasterCulling Clusters;
-  Program Starting, CullingTriangles, SettingUp, Straight, Plane, Bent, Patches, Thin;
+  Program Starting, CullingTriangles, SettingUp, Straight, Plane, Bent, Patches;
   Buffer Work, WorkGroups, StraightCasters;
   TexelBuffer BentCasters, Covers;
   PulledVertices Pulled;
   TileCovers Tiles;
-  MeshArray Array;
 };
 }
 

@@ -197,6 +197,7 @@ void ExactCasting::Cast(const ExactJob& job, SampleGrid& grid)
   {
     return;
   }
+  job.Store.Face(job.Frame.Light.GetOrigin());
   this->PlaceMeshes(job);
   int batch = 0;
   for (int first = 0; first < job.Store.GetNumberOfDraws(); first += ClustersAtATime, ++batch)

@@ -118,13 +118,13 @@ bool ShadowPipeline::Build()
       std::to_string(CasterDrawing::TexelsOfTiles);
     return false;
   }
-  const bool built = this->Sampler.Build() && this->Focus.Build() && this->Warp->Build() &&
+  const bool built = this->Store.Build() && this->Sampler.Build() && this->Focus.Build() && this->Warp->Build() &&
     this->Partition->Build() &&
     this->Casters.Build(this->Warp->GetShape(),
       this->Can.FastUniforms ? TableAccess::Uniforms : TableAccess::Storage);
   this->Problem = built
     ? std::string()
-    : "the driver refused a shader: " + this->Sampler.GetLog() + this->Focus.GetLog() +
+    : "the driver refused a shader: " + this->Store.GetLog() + this->Sampler.GetLog() + this->Focus.GetLog() +
       this->Warp->GetLog() + this->Partition->GetLog() + this->Casters.GetLog();
   return built;
 }

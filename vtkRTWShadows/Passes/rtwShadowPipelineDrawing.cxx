@@ -94,7 +94,7 @@ void ShadowPipeline::Draw(const FrameScene& scene, const std::vector<ShadowLight
   if (this->OwnDrawing)
   {
     StageTimers::Scope timer(this->Timers, "geometry");
-    this->Store.Update(scene.Parts);
+    this->Store.Update(scene.Parts, this->Viewed);
   }
   this->MakeFrames(scene, lights);
   const int layers = this->CountLayers();
