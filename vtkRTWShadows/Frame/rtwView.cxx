@@ -31,7 +31,9 @@ bool Resembles(const View& view, const View& other, double sceneSize)
   const glm::dvec3 up(view.ViewToWorld[1]), otherUp(other.ViewToWorld[1]);
   return view.Parallel == other.Parallel && view.Width == other.Width &&
     view.Height == other.Height && view.OriginX == other.OriginX && view.OriginY == other.OriginY &&
-    glm::distance(view.Eye, other.Eye) <= FarthestMove * sceneSize &&
+    view.Framed == other.Framed &&
+    glm::distance(view.Origin, other.Origin) <= FarthestMove * sceneSize &&
+    (view.BeyondEye() == other.BeyondEye() || IsAbout(view.BeyondEye(), other.BeyondEye())) &&
     glm::dot(view.Forward, other.Forward) >= turn && glm::dot(up, otherUp) >= turn &&
     IsAbout(view.ViewToClip[0][0], other.ViewToClip[0][0]) &&
     IsAbout(view.ViewToClip[1][1], other.ViewToClip[1][1]);
@@ -89,7 +91,8 @@ View ViewOf(const vtkRenderState* state)
   view.ViewToClip =
     ToGlm(camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1, 1));
   view.ClipToView = glm::inverse(view.ViewToClip);
-  view.Eye = glm::dvec3(view.ViewToWorld[3]);
+  view.DepthRow = { view.ViewToClip[2][2], view.ViewToClip[3][2] };
+  view.Origin = view.Eye = glm::dvec3(view.ViewToWorld[3]);
   view.Forward = glm::normalize(-glm::dvec3(view.ViewToWorld[2]));
   view.Parallel = camera->GetParallelProjection() != 0;
   return view;

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the viewer sees through: the camera of a renderer, in double precision.
+//
+// View coordinates, which become floats on the GPU, begin at the eye where that is among what is seen. Where it is far from that, or a
+// parallel camera's, of which nothing is seen, they begin just before what is seen: such a view is framed.
 #ifndef rtwView_h
 #define rtwView_h
 
@@ -16,19 +19,27 @@ struct View
   glm::dmat4 ViewToWorld{ 1 };
   glm::dmat4 ViewToClip{ 1 };
   glm::dmat4 ClipToView{ 1 };
-  glm::dvec3 Eye{ 0 };     ///< in world coordinates
+  glm::dvec3 Origin{ 0 };  ///< of view coordinates, in world coordinates
+  glm::dvec3 Eye{ 0 };     ///< likewise; of a parallel view that is framed, the origin
   glm::dvec3 Forward{ 0 }; ///< unit
   bool Parallel = false;
+  bool Framed = false;
+  double Begin = 0;        ///< distance of the origin from the camera along the view
+  glm::dvec2 Range{ 0 };   ///< distances of the near and the far plane of a framed view from the camera
+  glm::dvec2 DepthRow{ 0 }; ///< of the camera's own projection, which the picture's depth is by
   int OriginX = 0; ///< of the viewport in what is drawn into, in pixels
   int OriginY = 0;
   int Width = 0;
   int Height = 0;
 
   bool IsUsable() const; ///< false for an empty viewport or a camera that is not a number
+  /// How far the origin is from an eye.
+  double BeyondEye() const { return this->Parallel ? 0 : this->Begin; }
 };
 
 /// Whether a view shows about what another did: it is of the same size and place, and the camera
-/// has only moved on. Lengths are beside the scene's diagonal.
+/// has only moved on. Lengths are beside the scene's diagonal. What counts is the place from where
+/// view coordinates go.
 bool Resembles(const View& view, const View& other, double sceneSize);
 
 /// VTK's row-major matrix as GLM's.

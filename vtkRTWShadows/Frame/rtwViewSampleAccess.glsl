@@ -1,14 +1,30 @@
 // View samples, as rtwViewSampleFS.glsl and rtwMapperOutput.glsl write them: where the surface that a pixel shows lies, and where
 // its tangent plane does under the pixels beside it.
 uniform sampler2D rtwSamples;
-uniform vec4 rtwRay;          // clip to view coordinates at distance 1, or in a parallel view: scale, offset
-uniform vec2 rtwParallelView; // in a parallel view depth to distance: scale, offset; the scale is 0 otherwise
+uniform vec4 rtwRay;    // clip to view coordinates, before the division: scale, offset
+uniform vec4 rtwOfSample;  // a sample to view coordinates: z is (x + y a) / (z + w a), and all are divided by the latter
+uniform vec4 rtwViewer; // in view coordinates: the eye and 1, or the direction to it and 0
+uniform float rtwViewBegin; // of view coordinates: distance from the camera along the view
+
+float rtwDivisor(float a)
+{
+  return rtwOfSample.z + rtwOfSample.w * a;
+}
 
 vec3 rtwViewPosition(vec2 clip, float a)
 {
-  vec2 xy = clip * rtwRay.xy + rtwRay.zw;
-  return rtwParallelView.x != 0.0 ? vec3(xy, -(a * rtwParallelView.x + rtwParallelView.y))
-                                  : vec3(xy, -1.0) / a;
+  return vec3(clip * rtwRay.xy + rtwRay.zw, rtwOfSample.x + rtwOfSample.y * a) / rtwDivisor(a);
+}
+
+vec3 rtwToViewer(vec3 p)
+{
+  return rtwViewer.xyz - rtwViewer.w * p;
+}
+
+// Along the view, from the camera.
+float rtwDistance(vec3 p)
+{
+  return rtwViewBegin - p.z;
 }
 
 struct SampledPlane
@@ -24,13 +40,13 @@ SampledPlane rtwPlaneAt(vec4 s, ivec2 pixel, vec2 offset)
 {
   vec2 step = 2.0 / vec2(textureSize(rtwSamples, 0));
   vec2 clip = (vec2(pixel) + 0.5 + offset) * step - 1.0;
-  bool parallel = rtwParallelView.x != 0.0;
-  float a = s.x + dot(s.yz, offset);
-  a = parallel ? a : max(a, 0.01 * s.x);
   // A plane that is seen nearly edge on leaves the view within a pixel.
-  vec2 beside = parallel ? a + s.yz : max(a + s.yz, vec2(0.01 * a));
+  float least = rtwOfSample.w > 0.0 ? (0.01 * rtwDivisor(s.x) - rtwOfSample.z) / rtwOfSample.w : -1e30;
+  float a = max(s.x + dot(s.yz, offset), least);
+  least = rtwOfSample.w > 0.0 ? (0.01 * rtwDivisor(a) - rtwOfSample.z) / rtwOfSample.w : -1e30;
+  vec2 beside = max(a + s.yz, vec2(least));
   SampledPlane plane;
-  plane.seen = s.w > 0.0 && (parallel || a > 0.0);
+  plane.seen = s.w > 0.0 && rtwDivisor(a) > 0.0;
   plane.here = rtwViewPosition(clip, a);
   plane.right = rtwViewPosition(clip + vec2(step.x, 0.0), beside.x);
   plane.above = rtwViewPosition(clip + vec2(0.0, step.y), beside.y);

@@ -3,6 +3,7 @@
 
 #include "rtwClusterDraw.h"
 #include "rtwCullView.h"
+#include "rtwFramedView.h"
 #include "rtwGeometryStore.h"
 #include "rtwOpenGL.h"
 #include "rtwPrimeDepthFS.h"
@@ -144,7 +145,7 @@ void ViewSampler::Draw(const GeometryStore& store, bool receiving)
 {
   this->Cull(store, receiving);
   this->Drawing.Use();
-  this->Drawing.Set("rtwParallel", this->Viewed.Parallel ? 1 : 0);
+  this->Drawing.Set("rtwFramed", this->Viewed.Framed || this->Viewed.Parallel ? 1 : 0);
   this->Drawing.Set("rtwReceiving", receiving ? 1.f : 0.f);
   this->Array.Bind(store.GetPoints(), store.GetIndices(), this->Matrices);
   this->Array.DrawIndirect(this->Commands, store.GetNumberOfDraws());
@@ -188,27 +189,6 @@ void ViewSampler::Finish()
   }
 }
 
-glm::dvec2 ViewSampler::DepthToSample(const View& view)
-{
-  // In a perspective clip z = P22 z + P23 and clip w = -z, so that 1/w = (clip z / w + P22) / P23.
-  const glm::dmat4& p = view.ViewToClip;
-  return view.Parallel ? glm::dvec2(1, 0) : glm::dvec2(2, p[2][2] - 1) / p[3][2];
-}
-
-glm::dvec2 ViewSampler::SampleToDistance(const View& view)
-{
-  // Window depth d gives z = (2 d - 1 - P23) / P22.
-  const glm::dmat4& p = view.ViewToClip;
-  return { view.Parallel ? -2 / p[2][2] : 0.0, (1 + p[3][2]) / p[2][2] };
-}
-
-glm::dvec3 ViewSampler::RayStep(const View& view)
-{
-  const glm::dmat4& p = view.ViewToClip;
-  return { 2 / (p[0][0] * view.Width), 2 / (p[1][1] * view.Height),
-    view.Parallel ? -0.5 * p[2][2] : 0.0 };
-}
-
 void ViewSampler::PrimeDepth(double farther)
 {
   this->Priming.Use();
@@ -220,18 +200,17 @@ void ViewSampler::PrimeDepth(double farther)
 void ViewSampler::BindDepth(const Program& program, double farther) const
 {
   constexpr float share = 1e-3f;
+  constexpr double rounding = 5e-7; // of the picture's depth, some steps of 24 bits
   const glm::dvec2 back = DepthToSample(this->Viewed);
+  const double way = farther < 0 ? -1 : 1;
   glUniform2i(program.Location("rtwOrigin"), this->Viewed.OriginX, this->Viewed.OriginY);
-  program.Set("rtwSampleToDepth", float(1 / back.x), float(-back.y / back.x));
-  program.Set("rtwFarther", farther < 0 ? -share : share, float(farther));
+  program.Set("rtwSampleToDepth", float(1 / back.x), float(-back.y / back.x + way * rounding));
+  program.Set("rtwFarther", float(way) * share, float(farther));
+  program.Set("rtwFramed", this->Viewed.Framed || this->Viewed.Parallel ? 1 : 0);
 }
 
 void ViewSampler::Bind(const Program& program) const
 {
-  const glm::dmat4& p = this->Viewed.ViewToClip;
-  const glm::dvec2 scale(1 / p[0][0], 1 / p[1][1]);
-  const glm::dvec2 offset = this->Viewed.Parallel ? -glm::dvec2(p[3][0], p[3][1]) * scale
-                                                  : glm::dvec2(p[2][0], p[2][1]) * scale;
   this->Current->Bind(0);
   program.Set("rtwSamples", 0);
   if (this->Many.GetId())
@@ -239,10 +218,13 @@ void ViewSampler::Bind(const Program& program) const
     this->Many.Bind(ManyUnit);
     program.Set("rtwManySamples", ManyUnit);
   }
-  glUniform4f(program.Location("rtwRay"), float(scale.x), float(scale.y), float(offset.x),
-    float(offset.y));
-  const glm::dvec2 toDistance = SampleToDistance(this->Viewed);
-  program.Set("rtwParallelView", float(toDistance.x), float(toDistance.y));
+  const glm::vec4 ray(RayOf(this->Viewed)), place(PlaceOf(this->Viewed));
+  glUniform4f(program.Location("rtwRay"), ray.x, ray.y, ray.z, ray.w);
+  glUniform4f(program.Location("rtwOfSample"), place.x, place.y, place.z, place.w);
+  const bool parallel = this->Viewed.Parallel;
+  glUniform4f(program.Location("rtwViewer"), 0.f, 0.f,
+    parallel ? 1.f : float(this->Viewed.BeyondEye()), parallel ? 0.f : 1.f);
+  program.Set("rtwViewBegin", float(this->Viewed.Begin));
 }
 
 std::size_t ViewSampler::GetMemory() const

@@ -49,13 +49,6 @@ public:
   const View& GetView() const { return this->Viewed; }
   int GetWidth() const { return this->Current->GetWidth(); }
   int GetHeight() const { return this->Current->GetHeight(); }
-  /// How a mapper's window-space depth becomes what a sample holds of it: scale and offset.
-  static glm::dvec2 DepthToSample(const View& view);
-  /// In a parallel view, from a sample to the distance along the view: scale and offset; else the
-  /// scale is 0.
-  static glm::dvec2 SampleToDistance(const View& view);
-  /// From pixel to pixel in view coordinates at distance 1 (anywhere in a parallel view), and there depth a unit.
-  static glm::dvec3 RayStep(const View& view);
   std::size_t GetMemory() const;
   void Release();
   void Abandon();

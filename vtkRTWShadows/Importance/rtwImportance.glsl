@@ -55,16 +55,16 @@ float rtwLuminance(LitSample s)
 
 float rtwUserValue(LitSample s, vec4 focus)
 {
-  float value = rtwUserFunction(s.position, s.normal, -s.position.z, rtwLuminance(s), s.footprint * focus.yw);
+  float value = rtwUserFunction(s.position - vec3(0.0, 0.0, rtwViewBegin), s.normal, rtwDistance(s.position), rtwLuminance(s), s.footprint * focus.yw);
   return value > 0.0 ? min(value, LARGEST) : 0.0; // nor is what is not a number
 }
 
 float rtwFunction(LitSample s, vec4 focus, bool edge)
 {
   float value = 1.0;
-  if (rtwIsOn(DISTANCE_TO_EYE) && rtwParallelView.x == 0.0)
+  if (rtwIsOn(DISTANCE_TO_EYE) && rtwViewer.w != 0.0)
   {
-    value *= rtwNearest / max(-s.position.z, 1e-30);
+    value *= rtwNearest / max(rtwDistance(s.position), 1e-30);
   }
   if (rtwIsOn(SURFACE_NORMAL))
   {

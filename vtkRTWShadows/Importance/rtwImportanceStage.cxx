@@ -50,7 +50,7 @@ constexpr int ForwardUnit = 256;
 float NearestDistance(const View& view)
 {
   const glm::dvec4 nearest = view.ClipToView * glm::dvec4(0, 0, -1, 1);
-  return float(-nearest.z / nearest.w);
+  return float(view.Begin - nearest.z / nearest.w);
 }
 
 // A function's body, or an expression. Its lines are its own, of a source 0.

@@ -67,8 +67,17 @@ void FitSpot(LightFrame& frame, const ExtentFunction& extent, const glm::dvec3& 
 {
   const ShadowLight& light = frame.Light;
   const glm::dvec2 along = extent(light.Direction) - glm::dot(light.Position, light.Direction);
-  const double farthest = std::max(along.y, 1e-30) * 1.001;
-  const double nearest = std::clamp(0.999 * along.x, NearestShare * farthest, 0.5 * farthest);
+  // A margin that doesn't grow with the distance of a lamp that is far from what it shines on.
+  const double reach = std::max(along.y, 1e-30);
+  double size = 1e-9 * reach;
+  for (const glm::dvec3& axis : { frame.SAxis, frame.TAxis, light.Direction })
+  {
+    const glm::dvec2 ends = extent(axis);
+    size = std::max(size, ends.y - ends.x);
+  }
+  const double farthest = reach + 1e-3 * std::min(reach, size);
+  const double nearest =
+    std::max(along.x - 1e-3 * std::min(along.x, size), NearestShare * farthest);
   frame.NearestDistance = nearest;
   frame.FarthestDistance = farthest;
   frame.ConeTangent = std::tan(glm::radians(std::min(light.ConeAngle, WidestCone)));

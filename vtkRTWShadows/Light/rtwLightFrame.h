@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A light's view of the world, in double precision: where a point lies on the light plane, and how deep.
 //
-// Light-plane coordinates l have their origin where the viewer's eye lies, so that they are precise near it when they
-// become floats: across a directional light in world units, across a spot as the tangents of angles. Depth is linear in l over
+// Light-plane coordinates l have their origin where view coordinates do, at the viewer's eye or at what that sees from afar, so that
+// they are precise near it when they become floats: across a directional light in world units, across a spot as the tangents of angles. Depth is linear in l over
 // any plane (for a spot it goes with the inverse distance along the axis), 0 at the near end of the scene, 1 at the far.
 #ifndef rtwLightFrame_h
 #define rtwLightFrame_h
@@ -70,7 +70,7 @@ struct LightFrame
 /// The least and the greatest product of a direction with any point of what a light shines on.
 using ExtentFunction = std::function<glm::dvec2(const glm::dvec3& direction)>;
 
-/// A frame for a light, seen from the eye. `turn`, in radians about the light's direction, is that of
+/// A frame for a light, seen from the eye, or from where view coordinates begin. `turn`, in radians about the light's direction, is that of
 /// its axes from where they lie by themselves.
 LightFrame MakeLightFrame(const ShadowLight& light, const ExtentFunction& extent,
   const glm::dvec3& eye, double turn = 0);

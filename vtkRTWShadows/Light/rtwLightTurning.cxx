@@ -36,7 +36,7 @@ void LightTurning::Begin(Turning kind, const void* viewer, const std::vector<Sha
   for (const ShadowLight& light : lights)
   {
     aligned.push_back(ViewAlignedTurn(
-      light, view.Eye, view.Forward, kind == Turning::AlongView ? LeastAlong : LeastShownAlong));
+      light, view.Origin, view.Forward, kind == Turning::AlongView ? LeastAlong : LeastShownAlong));
   }
   if (kind == Turning::ViewAligned || kind == Turning::AlongView)
   {

@@ -22,13 +22,12 @@ MovingSample rtwLoadMovingSample(ivec2 pixel)
 {
   vec4 s = texelFetch(rtwSamples, pixel, 0);
   vec2 step = 2.0 / vec2(textureSize(rtwSamples, 0));
-  bool parallel = rtwParallelView.x != 0.0;
   vec2 ray = step * rtwRay.xy;
-  vec2 away = s.yz * rtwParallelView.x;
+  float divisor = rtwDivisor(s.x);
   MovingSample m;
   m.here = rtwViewPosition((vec2(pixel) + 0.5) * step - 1.0, s.x);
-  m.right = parallel ? vec3(ray.x, 0.0, -away.x) : (vec3(ray.x, 0.0, 0.0) - m.here * s.y) / s.x;
-  m.above = parallel ? vec3(0.0, ray.y, -away.y) : (vec3(0.0, ray.y, 0.0) - m.here * s.z) / s.x;
+  m.right = (vec3(ray.x, 0.0, rtwOfSample.y * s.y) - m.here * (rtwOfSample.w * s.y)) / divisor;
+  m.above = (vec3(0.0, ray.y, rtwOfSample.y * s.z) - m.here * (rtwOfSample.w * s.z)) / divisor;
   m.h = rtwViewToLight * vec4(m.here, 1.0);
   m.moves = mat2(rtwMovesOnLight(m.h, m.right), rtwMovesOnLight(m.h, m.above));
   m.seen = s.w > 0.0;

@@ -125,7 +125,7 @@ void ExactCasting::PlaceMeshes(const ExactJob& job)
 {
   std::vector<glm::mat4> boxes;
   std::vector<glm::dmat4> meshes;
-  const glm::dmat4 toPlane = WorldToExactPlane(job.Frame, job.Viewed.Eye);
+  const glm::dmat4 toPlane = WorldToExactPlane(job.Frame, job.Viewed.Origin);
   for (const Instance& instance : job.Store.GetInstances())
   {
     meshes.push_back(toPlane * instance.ToWorld);
@@ -162,6 +162,7 @@ void ExactCasting::CastClusters(const ExactJob& job, const SampleGrid& grid, int
   this->Culling.Set("rtwEndDraw", end);
   this->Culling.Set("rtwCull", job.Cull ? 1 : 0);
   this->Culling.Set("rtwRounding", float(Rounding * job.SceneSize));
+  this->Culling.Set("rtwReference", float(ExactReference(job.Frame, job.Viewed.Origin)));
   Dispatch(Groups(end - first, 64));
 
   this->Prepare(this->SettingUp, job, grid);
@@ -182,10 +183,13 @@ void ExactCasting::Descend(const ExactJob& job, const SampleGrid& grid)
     DispatchIndirect(this->Queue, step * StepBytes);
   }
   this->Prepare(this->Testing, job, grid);
-  const glm::dvec4 eye =
-    WorldToExactPlane(job.Frame, job.Viewed.Eye) * glm::dvec4(job.Viewed.Eye, 1);
-  this->Testing.Set("rtwEye", float(eye.x), float(eye.y), float(eye.z + eye.w));
-  this->Testing.Set("rtwIsSpot", job.Frame.Light.Kind == LightKind::Spot ? 1 : 0);
+  // The view's origin, from where light-plane coordinates go unless that lies beside or behind a spot.
+  const double reference = ExactReference(job.Frame, job.Viewed.Origin);
+  const glm::dvec4 origin =
+    WorldToExactPlane(job.Frame, job.Viewed.Origin) * glm::dvec4(job.Viewed.Origin, 1);
+  this->Testing.Set("rtwFrom", float(origin.x), float(origin.y),
+    float(reference > 0 ? origin.w - reference : origin.z));
+  this->Testing.Set("rtwReference", float(reference));
   grid.BindList(0, 1);
   grid.BindStates();
   DispatchIndirect(this->Queue, TestStep * StepBytes);

@@ -13,6 +13,7 @@ uniform int rtwEndDraw;
 uniform int rtwCull;
 uniform float rtwNearestW; // what is nearer to a spot casts no shadow
 uniform float rtwRounding; // a length
+uniform float rtwReference; // as rtwCountSamples.glsl has it
 
 bool rtwReaches(Cluster cluster, mat4 m)
 {
@@ -38,7 +39,7 @@ bool rtwReaches(Cluster cluster, mat4 m)
   float margin = rtwRounding / leastW;
   low -= margin;
   high += margin;
-  nearest -= margin / leastW;
+  nearest -= rtwReference > 0.0 ? margin / leastW * rtwReference * rtwReference : margin;
   GridStart start = rtwStartOf(low, high);
   for (uint y = start.first.y; y <= start.last.y; ++y)
   {

@@ -14,23 +14,31 @@ layout(std430, binding = 2) buffer States
   uint rtwStates[];
 };
 
-uniform vec3 rtwEye; // in the coordinates of rtwInSpace()
-uniform int rtwIsSpot;
+uniform vec3 rtwFrom; // where view coordinates begin, in those of rtwInSpace()
+uniform float rtwReference; // as rtwCountSamples.glsl has it
 
 const float SAMPLE_ROUNDING = 2.4e-7; // twice that of a float
 const float BROAD = 16.0;             // as long as this many widths
 const float SLIMMEST = 1e4;           // what is more so isn't seen
 const float PARALLEL = 0.02;          // of normals
 
+// In units of the reference.
 float rtwDistanceTo(float depth)
 {
-  return rtwIsSpot != 0 ? -1.0 / depth : 1.0;
+  return rtwReference > 0.0 ? rtwReference / (rtwReference - depth) : 1.0;
 }
 
+// Along the light from the reference.
 vec3 rtwInSpace(vec3 l)
 {
   float w = rtwDistanceTo(l.z);
-  return rtwIsSpot != 0 ? vec3(l.xy * w, w - 1.0) : vec3(l.xy, l.z + 1.0);
+  return rtwReference > 0.0 ? vec3(l.xy * rtwReference, l.z) * w : l;
+}
+
+// What a slope of depth on the light plane is to be multiplied by for one of lengths.
+float rtwSlopeUnit(float depth)
+{
+  return rtwReference > 0.0 ? rtwDistanceTo(depth) / rtwReference : 1.0;
 }
 
 // Rasterizers find depth by differences of the corners', so that a sample lies the farther off a triangle the longer than wide that is.
@@ -48,10 +56,10 @@ bool rtwIsOwn(ExactCaster t, vec4 s)
     return false;
   }
   vec3 onLight = cross(t.b.xyz - t.a.xyz, t.c.xyz - t.a.xyz);
-  onLight = normalize(vec3(onLight.xy * rtwDistanceTo(s.z), onLight.z)) * (onLight.z < 0.0 ? -1.0 : 1.0);
+  onLight = normalize(vec3(onLight.xy * rtwSlopeUnit(s.z), onLight.z)) * (onLight.z < 0.0 ? -1.0 : 1.0);
   vec3 at = rtwInSpace(s.xyz);
   float off = abs(dot(at - a, area)) / max(length(area), 1e-30);
-  return distance(onLight, rtwUnpackNormal(s.w)) < PARALLEL && off < SAMPLE_ROUNDING * min(aspect, SLIMMEST) * distance(at, rtwEye);
+  return distance(onLight, rtwUnpackNormal(s.w)) < PARALLEL && off < SAMPLE_ROUNDING * min(aspect, SLIMMEST) * distance(at, rtwFrom);
 }
 
 bool rtwShadows(ExactCaster t, vec3 s)

@@ -59,6 +59,26 @@ void SetLightCamera(vtkCamera* camera, const LightFrame& frame, vtkCamera* viewe
   camera->UseExplicitProjectionTransformMatrixOn();
 }
 
+// Has depth as a framed view does. Where the eye doesn't matter it stands where view coordinates begin, for imposters, which find their depth
+// from those.
+void SetFramedCamera(vtkCamera* camera, const View& view, vtkCamera* viewer)
+{
+  camera->DeepCopy(viewer);
+  if (view.Parallel)
+  {
+    const glm::dvec3 eye = view.Origin, focus = eye + view.Forward;
+    const glm::dvec3 up(glm::row(view.WorldToView, 1));
+    camera->SetPosition(eye.x, eye.y, eye.z);
+    camera->SetFocalPoint(focus.x, focus.y, focus.z);
+    camera->SetViewUp(up.x, up.y, up.z);
+  }
+  const glm::dmat4 viewToWorld = glm::inverse(ToGlm(camera->GetModelViewTransformMatrix()));
+  vtkNew<vtkMatrix4x4> projection;
+  CopyTo(projection, view.ViewToClip * (view.WorldToView * viewToWorld));
+  camera->SetExplicitProjectionTransformMatrix(projection);
+  camera->UseExplicitProjectionTransformMatrixOn();
+}
+
 // Translucent actors write no depth unless they are told to.
 void DrawTranslucent(vtkRenderer* renderer, vtkProp* prop)
 {
@@ -141,11 +161,24 @@ void DrawMapperCasters(
   viewer->Modified();
 }
 
-void DrawMapperSamples(vtkRenderer* renderer, const std::vector<SceneProp>& props)
+void DrawMapperSamples(
+  vtkRenderer* renderer, const std::vector<SceneProp>& props, const View& view)
 {
+  vtkSmartPointer<vtkCamera> viewer = renderer->GetActiveCamera();
+  vtkNew<vtkOpenGLCamera> camera;
+  if (view.Framed)
+  {
+    SetFramedCamera(camera, view, viewer);
+    renderer->SetActiveCamera(camera);
+  }
   for (const SceneProp& prop : props)
   {
     prop.Prop->RenderOpaqueGeometry(renderer);
+  }
+  if (view.Framed)
+  {
+    renderer->SetActiveCamera(viewer);
+    viewer->Modified(); // as in DrawMapperCasters()
   }
 }
 }

@@ -13,6 +13,8 @@ class vtkRenderer;
 
 namespace rtw
 {
+struct View;
+
 /// The actors that those props consist of: what a mapper knows as its prop.
 std::set<vtkProp*> ActorsOf(const std::vector<SceneProp>& props);
 /// The actors in any of those props that have a translucent part.
@@ -21,8 +23,10 @@ std::set<vtkProp*> TranslucentActorsOf(const std::vector<vtkProp*>& props);
 /// of the light plane; rtwPlaceCaster.glsl takes them onto the map.
 void DrawMapperCasters(
   vtkRenderer* renderer, const std::vector<SceneProp>& props, const LightFrame& frame);
-/// The opaque ones among the props as the camera sees them; those that receive nothing hide what is behind them.
-void DrawMapperSamples(vtkRenderer* renderer, const std::vector<SceneProp>& props);
+/// The opaque ones among the props as the camera sees them, in the depths of a view that is framed;
+/// those that receive nothing hide what is behind them.
+void DrawMapperSamples(
+  vtkRenderer* renderer, const std::vector<SceneProp>& props, const View& view);
 }
 
 #endif

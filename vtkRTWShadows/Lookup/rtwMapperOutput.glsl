@@ -1,20 +1,20 @@
 // What a mapper's fragment is in the light pass (the occluder's depth gradient) and among the view samples: z of p is its view coordinate,
-// more precise than depth, or 0 where it isn't known; n is the normal of a surface that curves within the fragment, or 0.
+// more precise than depth unless the view is framed, or 0 where it isn't known; n is the normal of a surface that curves within the fragment, or 0.
 // To be called by all fragments.
-uniform vec2 rtwDepthToSample; // scale and offset
-uniform vec3 rtwRayStep;       // from pixel to pixel in view coordinates at distance 1; depth a unit in a parallel view
+uniform vec2 rtwOwnDepthToSample; // scale and offset
+uniform vec3 rtwRayStep;       // from pixel to pixel in view coordinates at distance 1; what a sample changes by with 1/distance, or with z
 
 vec4 rtwGeometryOutput(float depth, vec3 p, vec3 n)
 {
   if (rtwPhase == 2)
   {
     bool perspective = cameraParallel == 0;
-    float a = p.z < 0.0 && perspective ? -1.0 / p.z : depth * rtwDepthToSample.x + rtwDepthToSample.y;
+    float a = p.z < 0.0 && perspective && rtwFramed == 0 ? -1.0 / p.z : depth * rtwOwnDepthToSample.x + rtwOwnDepthToSample.y;
     vec2 slope = vec2(dFdx(a), dFdy(a));
     if (n != vec3(0.0))
     {
       // Of the tangent plane: a difference of two points on a sphere is a chord's.
-      slope = n.xy * rtwRayStep.xy * (perspective ? 1.0 / dot(n, p) : rtwRayStep.z / n.z);
+      slope = n.xy * rtwRayStep.xy * rtwRayStep.z / (perspective ? dot(n, p) : n.z);
     }
     return vec4(a, slope, float(rtwReceives));
   }

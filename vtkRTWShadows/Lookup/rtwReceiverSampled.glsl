@@ -6,19 +6,17 @@ uniform sampler2DMS rtwManySamples;
 uniform ivec2 rtwMaskOrigin; // of the viewport
 uniform int rtwSamplesAPixel;
 uniform vec2 rtwOffsets[8];     // from the centre, in pixels
-uniform vec2 rtwParallelView;   // as the view samples have it
 uniform float rtwHiddenBeyond;  // a distance
 uniform float rtwAttenuation[RTW_LIGHTS];
 
-const float HIDDEN_SHARE = 1e-3; // of the distance; in a parallel view a depth
+const float HIDDEN_SHARE = 1e-3; // of the distance; in a framed view of what is seen
 
 uint rtwShown = 0u; // the samples that show the fragment's surface
 
 // The covered ones, but for those where another surface is in front. To be called by all fragments.
-uint rtwFindShown(vec3 p)
+uint rtwFindShown(vec3 p, float depth)
 {
-  bool parallel = rtwParallelView.x != 0.0;
-  float a = parallel ? (-p.z - rtwParallelView.y) / rtwParallelView.x : -1.0 / p.z;
+  float a = rtwSampleAt(p, depth);
   vec2 slope = vec2(dFdx(a), dFdy(a));
   ivec2 pixel = ivec2(gl_FragCoord.xy) - rtwMaskOrigin;
   uint shown = 0u;
@@ -27,7 +25,7 @@ uint rtwFindShown(vec3 p)
     vec4 s = texelFetch(rtwManySamples, pixel, i);
     float there = s.x + dot(s.yz, rtwOffsets[i]);
     float here = a + dot(slope, rtwOffsets[i]);
-    bool hidden = parallel ? here > there + HIDDEN_SHARE : there > here * (1.0 + HIDDEN_SHARE) + rtwHiddenBeyond * here * there;
+    bool hidden = rtwFramed != 0 ? there > here + HIDDEN_SHARE : there > here * (1.0 + HIDDEN_SHARE) + rtwHiddenBeyond * here * there;
     shown |= hidden ? 0u : 1u << uint(i);
   }
   return shown & uint(gl_SampleMaskIn[0]);

@@ -13,6 +13,7 @@
 #include "rtwPlaceCaster.h"
 #include "rtwReceiverDirect.h"
 #include "rtwReceiverMasked.h"
+#include "rtwReceiverPlace.h"
 #include "rtwReceiverSampled.h"
 #include "rtwWarpFocus.h"
 
@@ -100,12 +101,17 @@ bool KnowsPosition(const std::string& fragment)
   return Contains(fragment, "vec4 vertexVC =") || Contains(fragment, "vertexVC.xyz");
 }
 
-// Depth as the fragment has it by now, because imposters write their own, its position where it has one, and the normal of imposters,
-// which are round.
+// As the fragment has it by now, because imposters write their own.
+std::string DepthCode(const std::string& fragment)
+{
+  return Contains(fragment, "gl_FragDepth =") ? "gl_FragDepth" : "gl_FragCoord.z";
+}
+
+// Depth, the fragment's position where it has one, and the normal of imposters, which are round.
 std::string GeometryCode(const std::string& fragment)
 {
   const bool imposter = Contains(fragment, "gl_FragDepth =");
-  const std::string depth = imposter ? "gl_FragDepth" : "gl_FragCoord.z";
+  const std::string depth = DepthCode(fragment);
   const std::string position = KnowsPosition(fragment) ? "vertexVC.xyz" : "vec3(0.0)";
   const bool round = imposter && Contains(fragment, "normalVCVSOutput =");
   return "rtwGeometryOutput(" + depth + ", " + position +
@@ -118,7 +124,7 @@ std::string FactorCode(const ReceiverShape& shape)
   for (std::size_t k = 0; k < shape.Switched.size(); ++k)
   {
     const std::string n = std::to_string(k);
-    code += "  float rtwFactor" + n + " = rtwFactor(" + n + ", vertexVC.xyz);\n";
+    code += "  float rtwFactor" + n + " = rtwFactor(" + n + ", rtwAt);\n";
   }
   return code;
 }
@@ -218,7 +224,8 @@ void InjectReceiver(
   std::string& fragment = sources.Fragment;
   const bool direct = receiving == Receiving::Direct;
   const bool lit = KnowsPosition(fragment);
-  std::string code = DefinitionsOf(shape) + "uniform int rtwReceives;\n";
+  std::string code =
+    DefinitionsOf(shape) + "uniform int rtwReceives;\nuniform int rtwFramed; // the view\n";
   if (drawsItself || direct)
   {
     code += WarpCode(shape);
@@ -231,9 +238,14 @@ void InjectReceiver(
   if (lit)
   {
     const bool sampled = receiving == Receiving::Sampled;
-    code += direct ? LookupCode(shape) + rtwReceiverDirect
-                   : std::string(rtwMaskValue) + (sampled ? rtwReceiverSampled : rtwReceiverMasked);
-    atLight += sampled ? "  rtwShown = rtwFindShown(vertexVC.xyz);\n" : "";
+    const std::string place = direct || sampled ? rtwReceiverPlace : "";
+    code += place +
+      (direct ? LookupCode(shape) + rtwReceiverDirect
+              : std::string(rtwMaskValue) + (sampled ? rtwReceiverSampled : rtwReceiverMasked));
+    const std::string depth = DepthCode(fragment);
+    atLight += sampled ? "  rtwShown = rtwFindShown(vertexVC.xyz, " + depth + ");\n" : "";
+    atLight += "  vec3 rtwAt = " +
+      (direct ? "rtwPlaceOf(vertexVC.xyz, " + depth + ")" : std::string("vertexVC.xyz")) + ";\n";
     atLight += FactorCode(shape);
     for (std::size_t k = 0; k < shape.Switched.size(); ++k)
     {
@@ -282,13 +294,26 @@ void ReceiverUniforms::Set(vtkShaderProgram* program) const
 {
   if (program->IsUniformUsed("rtwPhase"))
   {
-    const float depthToSample[] = { this->DepthToSample.x, this->DepthToSample.y };
+    const float depthToSample[] = { this->OwnDepthToSample.x, this->OwnDepthToSample.y };
     program->SetUniformi("rtwPhase", static_cast<int>(this->CurrentPhase));
     program->SetUniformi("rtwLayer", this->Layer);
     program->SetUniformi("rtwLightParallel", this->LightParallel ? 1 : 0);
-    program->SetUniform2f("rtwDepthToSample", depthToSample);
+    program->SetUniform2f("rtwOwnDepthToSample", depthToSample);
     const float rayStep[] = { this->RayStep.x, this->RayStep.y, this->RayStep.z };
     program->SetUniform3f("rtwRayStep", rayStep);
+  }
+  if (program->IsUniformUsed("rtwFramed"))
+  {
+    program->SetUniformi("rtwFramed", this->Framed ? 1 : 0);
+  }
+  if (program->IsUniformUsed("rtwPlacedBy"))
+  {
+    program->SetUniformi("rtwPlacedBy", this->PlacedBy);
+    program->SetUniformf("rtwViewBegin", this->ViewBegin);
+    program->SetUniform4f("rtwRay", &this->Ray.x);
+    program->SetUniform4f("rtwOfSample", &this->OfSample.x);
+    program->SetUniform2f("rtwDepthToSample", &this->DepthToSample.x);
+    program->SetUniform4f("rtwToClip", &this->ToClip.x);
   }
   if (program->IsUniformUsed("rtwMask"))
   {
@@ -304,7 +329,6 @@ void ReceiverUniforms::Set(vtkShaderProgram* program) const
     program->SetUniformi("rtwSamplesAPixel", n);
     program->SetUniform2fv(
       "rtwOffsets", n, reinterpret_cast<const float(*)[2]>(this->Points.data()));
-    program->SetUniform2f("rtwParallelView", &this->ParallelView.x);
     program->SetUniformf("rtwHiddenBeyond", this->HiddenBeyond);
   }
   if (program->IsUniformUsed("rtwWarpTable"))

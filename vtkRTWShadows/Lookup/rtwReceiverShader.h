@@ -96,14 +96,20 @@ struct ReceiverUniforms
   int WarpUnit = 0, DepthUnit = 0, GradientUnit = 0, MaskUnit = 0, GridUnit = 0;
   int BitsUnit = 0, ManyUnit = 0;
   std::vector<glm::vec2> Points; ///< samples of a pixel, from its centre; none where one is enough
-  glm::vec2 ParallelView{ 0 };
   float HiddenBeyond = 0;
   int GridLayers = 0;
   int Cells = 1, Resolution = 1;
   glm::ivec2 MapSize{ 1 };
   int OriginX = 0, OriginY = 0; ///< of the viewport
-  glm::vec2 DepthToSample{ 1, 0 };
+  ///@{
+  /// Of the view, as rtwReceiverPlace.glsl and rtwMapperOutput.glsl have it.
+  bool Framed = false;
+  int PlacedBy = 0;
+  float ViewBegin = 0;
+  glm::vec4 Ray{ 0 }, OfSample{ 0 }, ToClip{ 0 };
+  glm::vec2 DepthToSample{ 1, 0 }, OwnDepthToSample{ 1, 0 };
   glm::vec3 RayStep{ 0 };
+  ///@}
   ReceiverLights Lights;
 
   void Set(vtkShaderProgram* program) const;

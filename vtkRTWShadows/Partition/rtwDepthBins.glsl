@@ -1,10 +1,6 @@
 // What samples ask of a map, by their depth: where those of a bin of depths lie on the light plane, and their demand, the sum of one over
 // their footprint. Bins are even in ratio over the range that the light reaches.
 layout(local_size_x = 16, local_size_y = 16) in;
-layout(std430, binding = 0) readonly buffer Range
-{
-  uint rtwRange[];
-};
 layout(std430, binding = 1) buffer Bins
 {
   uint rtwBins[]; // a bin: low s, low t, high s, high t, in an order that unsigned numbers share; demand along s and t, low and high part each
@@ -43,7 +39,7 @@ void rtwEndRun()
 
 void rtwVisit(LitSample s)
 {
-  int bin = rtwBinOf(max(-s.position.z, 1e-30));
+  int bin = rtwBinOf(max(rtwBeforeRange(rtwLight) - s.position.z, 1e-30));
   if (bin != rtwBinOfRun)
   {
     rtwEndRun();
@@ -85,8 +81,7 @@ void main()
     rtwTile[i] = i % BIN_SIZE < 2 ? 0xffffffffu : 0u;
   }
   barrier();
-  vec2 range = uintBitsToFloat(uvec2(rtwRange[2 * rtwLight], rtwRange[2 * rtwLight + 1]));
-  range.x = max(range.x, 1e-6 * range.y);
+  vec2 range = rtwRangeOf(rtwLight);
   rtwScale = vec2(log2(range.x), 1.0 / max(log2(range.y / range.x), 1e-6));
   rtwVisitTile();
   rtwEndRun();

@@ -14,7 +14,9 @@
 #include "rtwSampleBlocks.h"
 #include "rtwSampleOfLayer.h"
 #include "rtwSamplePlace.h"
+#include "rtwSeenRange.h"
 #include "rtwSplitByBins.h"
+#include "rtwView.h"
 #include "rtwViewSampleAccess.h"
 #include "rtwViewSampler.h"
 #include "rtwVisitSamples.h"
@@ -36,6 +38,12 @@ constexpr int NumberOfBins = 128;
 constexpr int BinSize = 6;   // numbers of a bin in shared memory
 constexpr int BinStride = 8; // and in the buffer
 
+// As rtwSeenRange.glsl has it.
+float BeyondEye(const View& view)
+{
+  return view.Parallel ? -1.f : float(view.BeyondEye());
+}
+
 std::string BinDefinitions()
 {
   return "#define BINS " + std::to_string(NumberOfBins) + "\n#define BIN_SIZE " +
@@ -54,10 +62,10 @@ bool DepthSplitStage::Build()
   return this->Binning.Build({ { GL_COMPUTE_SHADER,
            { bins.c_str(), rtwOrdered, rtwWarpFocus, rtwLayerInterval, rtwViewSampleAccess,
              rtwSamplePlace, rtwLitSample, rtwSampleOfLayer, rtwBackwardSample, rtwSampleBlocks,
-             rtwVisitSamples, rtwDepthBins } } }) &&
+             rtwVisitSamples, rtwSeenRange, rtwDepthBins } } }) &&
     this->Splitting.Build(
-      { { GL_COMPUTE_SHADER, { bins.c_str(), rtwOrdered, rtwSplitByBins } } }) &&
-    this->Writing.Build({ { GL_COMPUTE_SHADER, { rtwWarpFocus, rtwWriteIntervals } } });
+      { { GL_COMPUTE_SHADER, { bins.c_str(), rtwOrdered, rtwSeenRange, rtwSplitByBins } } }) &&
+    this->Writing.Build({ { GL_COMPUTE_SHADER, { rtwWarpFocus, rtwSeenRange, rtwWriteIntervals } } });
 }
 
 std::string DepthSplitStage::GetLog() const
@@ -73,7 +81,9 @@ bool DepthSplitStage::IsFixed(const PartitionInput& input) const
 std::vector<double> DepthSplitStage::FixedBorders(const PartitionInput& input) const
 {
   const DepthSplitSettings settings = this->Settings();
-  return SplitDepths(this->Steady.at(input.Viewer), input.Parts / input.Faces, settings.Lambda);
+  // A parallel view has no eye from which depths could have ratios.
+  return SplitDepths(this->Steady.at(input.Viewer), input.Parts / input.Faces,
+    input.Viewed.Parallel ? 0 : settings.Lambda);
 }
 
 void DepthSplitStage::WriteFixed(const PartitionInput& input, WarpTable& table) const
@@ -85,8 +95,11 @@ void DepthSplitStage::WriteFixed(const PartitionInput& input, WarpTable& table) 
     const std::size_t k = layer % input.Parts / input.Faces;
     const bool isLast = k + 2 == borders.size();
     const double from = k == 0 ? 0 : borders[k];
-    table.WriteInterval(static_cast<int>(layer), { from, isLast ? Nowhere : borders[k + 1] },
-      k == 0 ? 0 : from - blend * (from - borders[k - 1]));
+    // From where view coordinates begin.
+    const double beyond = input.Viewed.BeyondEye();
+    table.WriteInterval(static_cast<int>(layer),
+      { k == 0 ? 0 : from - beyond, isLast ? Nowhere : borders[k + 1] - beyond },
+      k == 0 ? 0 : from - blend * (from - borders[k - 1]) - beyond);
   }
 }
 
@@ -116,6 +129,7 @@ void DepthSplitStage::SplitBySamples(const PartitionInput& input, const WarpTabl
   this->Splits.Reserve(input.Frames.size() * MostLayers * sizeof(float));
   const int stride = BinningStride * input.Stride;
   this->Binning.Use();
+  this->Binning.Set("rtwBeyondEye", BeyondEye(input.Viewed));
   input.Samples.Bind(this->Binning);
   table.Bind(this->Binning);
   input.Range.BindStorage(0);
@@ -130,6 +144,7 @@ void DepthSplitStage::SplitBySamples(const PartitionInput& input, const WarpTabl
     input.Blocks.Dispatch(this->Binning, input.Samples, stride, -1);
   }
   this->Splitting.Use();
+  this->Splitting.Set("rtwBeyondEye", BeyondEye(input.Viewed));
   this->Splits.BindStorage(2);
   this->Splitting.Set("rtwParts", input.Parts / input.Faces);
   Dispatch(static_cast<int>(input.Frames.size()));
@@ -151,6 +166,7 @@ void DepthSplitStage::Split(const PartitionInput& input, WarpTable& table)
     this->SplitBySamples(input, table);
   }
   this->Writing.Use();
+  this->Writing.Set("rtwBeyondEye", BeyondEye(input.Viewed));
   table.Bind(this->Writing);
   input.Range.BindStorage(0);
   table.GetValues().BindStorage(1);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rtwDepthSplits.h"
 
+#include "rtwFramedView.h"
 #include "rtwMinimalFrustum.h"
-#include "rtwView.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,6 +47,7 @@ double ErrorOf(const DepthBin& run)
   return Extent(run.Bounds, 0) * run.Demand.x + Extent(run.Bounds, 1) * run.Demand.y;
 }
 
+// Of a view whose coordinates begin at the eye.
 glm::dvec3 OnRay(const View& view, const glm::dvec2& clip, double depth)
 {
   const glm::dvec4 h = view.ClipToView * glm::dvec4(clip, 0, 1);
@@ -66,8 +67,9 @@ struct Sphere
 };
 
 // Its radius doesn't depend on where the camera is, nor on rounding.
-Sphere SphereOf(const View& view, const glm::dvec2& depths)
+Sphere SphereOf(const View& seen, const glm::dvec2& depths)
 {
+  const View view = AtEye(seen);
   std::vector<glm::dvec3> corners;
   for (const double depth : { depths.x, depths.y })
   {
@@ -142,8 +144,9 @@ std::vector<int> SplitBins(const std::vector<DepthBin>& bins, int layers)
   return firsts;
 }
 
-glm::dvec2 SteadyRange(const View& view, const glm::dvec2& held)
+glm::dvec2 SteadyRange(const View& seen, const glm::dvec2& held)
 {
+  const View view = AtEye(seen);
   const auto depthAt = [&](double z) {
     const glm::dvec4 p = view.ClipToView * glm::dvec4(0, 0, z, 1);
     return -p.z / p.w;
@@ -155,8 +158,9 @@ glm::dvec2 SteadyRange(const View& view, const glm::dvec2& held)
   return holds && !isWide ? held : glm::dvec2(nearest / SpareNear, farthest * SpareFar);
 }
 
-std::vector<glm::dvec3> SliceCorners(const View& view, double nearest, double farthest)
+std::vector<glm::dvec3> SliceCorners(const View& seen, double nearest, double farthest)
 {
+  const View view = AtEye(seen);
   std::vector<glm::dvec3> corners;
   for (int k = 0; k < 8; ++k)
   {

@@ -1,10 +1,6 @@
 // Splits what a light reaches so that the error which fitted layers are predicted to have is least: summed over layers and axes, the extent
 // on the light plane times the demand. By dynamic programming: the best layers up to a bin begin with the best up to where the last begins.
 layout(local_size_x = BINS) in;
-layout(std430, binding = 0) readonly buffer Range
-{
-  uint rtwRange[];
-};
 layout(std430, binding = 1) readonly buffer Bins
 {
   uint rtwBins[];
@@ -56,8 +52,7 @@ void rtwExtend(int layer, int end)
 // The ends of the range where a layer has nothing.
 void rtwWrite(int light)
 {
-  vec2 range = uintBitsToFloat(uvec2(rtwRange[2 * light], rtwRange[2 * light + 1]));
-  range.x = max(range.x, 1e-6 * range.y);
+  vec2 range = rtwRangeOf(light);
   int end = BINS;
   for (int layer = rtwParts; layer > 1; --layer)
   {

@@ -1,9 +1,5 @@
 // Splits what a light reaches by depth (Lloyd et al. 2006, equations 15 and 16; Zhang et al. 2006), into the warp table.
 layout(local_size_x = 1) in;
-layout(std430, binding = 0) readonly buffer Range
-{
-  uint rtwRange[];
-};
 layout(std430, binding = 1) buffer Table
 {
   vec2 rtwTable[];
@@ -34,20 +30,20 @@ float rtwSplit(vec2 range, int k)
 void main()
 {
   int light = int(gl_WorkGroupID.x);
-  vec2 range = vec2(uintBitsToFloat(rtwRange[2 * light]), uintBitsToFloat(rtwRange[2 * light + 1]));
-  bool isAny = range.x <= range.y;
-  range.x = max(range.x, 1e-6 * range.y);
+  bool isAny = rtwHasRange(light);
+  vec2 range = rtwRangeOf(light);
+  float before = rtwBeforeRange(light);
   for (int k = 0; k < rtwParts; ++k)
   {
     // The first and the last hold what isn't among the samples, too.
-    float from = k == 0 ? 0.0 : isAny ? rtwSplit(range, k) : NOWHERE;
-    float to = k == rtwParts - 1 || !isAny ? NOWHERE : rtwSplit(range, k + 1);
-    float before = k == 0 ? 0.0 : from - rtwBlend * (from - rtwSplit(range, k - 1));
+    float from = k == 0 ? 0.0 : isAny ? rtwSplit(range, k) - before : NOWHERE;
+    float to = k == rtwParts - 1 || !isAny ? NOWHERE : rtwSplit(range, k + 1) - before;
+    float blend = k == 0 ? 0.0 : from - rtwBlend * (from + before - rtwSplit(range, k - 1));
     for (int face = 0; face < rtwFaces; ++face)
     {
       int layer = (light * rtwParts + k) * rtwFaces + face;
       rtwTable[rtwWarpPlace(4 * layer, rtwWarpSize.x + 1)] = vec2(from, to);
-      rtwTable[rtwWarpPlace(4 * layer + 1, rtwWarpSize.x + 1)] = vec2(isAny ? before : from, 0.0);
+      rtwTable[rtwWarpPlace(4 * layer + 1, rtwWarpSize.x + 1)] = vec2(isAny ? blend : from, 0.0);
     }
   }
 }

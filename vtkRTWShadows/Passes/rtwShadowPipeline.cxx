@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rtwShadowPipeline.h"
 
+#include "rtwFramedView.h"
+
 #include "vtkOpenGLRenderWindow.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace rtw
@@ -141,7 +144,30 @@ LightFrame ShadowPipeline::MakeFrame(
     }
     return along;
   };
-  return MakeLightFrame(light, extent, this->Viewed.Eye, turn);
+  return MakeLightFrame(light, extent, this->Viewed.Origin, turn);
+}
+
+// What its bounds and the view have in common lies between two distances.
+View ShadowPipeline::FrameView(const View& view, const FrameScene& scene)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (!view.IsUsable() || !scene.HasBounds)
+  {
+    return view;
+  }
+  glm::dvec2 range(infinity, -infinity);
+  for (const glm::dvec3& p :
+    VisibleCorners(view.ViewToWorld * view.ClipToView, scene.Low, scene.High))
+  {
+    const double distance = glm::dot(p - view.Eye, view.Forward);
+    range = { std::min(range.x, distance), std::max(range.y, distance) };
+  }
+  // What only mappers can draw may be larger than its bounds are.
+  const double share = scene.Props.empty() ? 1e-3 : 0.5;
+  const double width = 2 / view.ViewToClip[0][0] * (view.Parallel ? 1 : range.y);
+  const double margin = share *
+    std::max(range.y - range.x, std::min(std::abs(width), glm::length(scene.High - scene.Low)));
+  return Framed(view, { range.x - margin, range.y + margin });
 }
 
 void ShadowPipeline::MakeFrames(const FrameScene& scene, const std::vector<ShadowLight>& lights)
@@ -228,6 +254,7 @@ std::uint64_t ShadowPipeline::Sign(const FrameScene& scene, const std::vector<Sh
   }
   signature = Mix(signature, std::uint64_t(this->Viewed.Width));
   signature = Mix(signature, std::uint64_t(this->Viewed.Height));
+  signature = Mix(Mix(signature, this->Viewed.DepthRow.x), this->Viewed.DepthRow.y);
   return Mix(Mix(signature, this->Viewed.WorldToView), this->Viewed.ViewToClip) | 1;
 }
 
@@ -235,7 +262,7 @@ bool ShadowPipeline::Update(const View& view, const FrameScene& scene,
   const std::vector<ShadowLight>& lights, const PipelineOptions& options,
   const MapperDrawing& mappers)
 {
-  this->Viewed = view;
+  this->Viewed = FrameView(view, scene);
   this->SamplesAPixel = options.SamplesAPixel;
   this->Counted.Lights = static_cast<int>(lights.size());
   this->Counted.LayersDrawn = this->Counted.LayersReused = 0;

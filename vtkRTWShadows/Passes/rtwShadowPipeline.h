@@ -168,6 +168,8 @@ private:
   Turning TurningOf(const PipelineOptions& options) const;
   bool HasUniformTable() const { return this->Can.FastUniforms && this->Table.FitsUniforms(); }
   void Abandon();
+  void PlaceReceivers(ReceiverUniforms& uniforms) const;
+  static View FrameView(const View& view, const FrameScene& scene);
   LightFrame MakeFrame(const FrameScene& scene, const ShadowLight& light, double turn) const;
   void MakeFrames(const FrameScene& scene, const std::vector<ShadowLight>& lights);
   int CountLayers() const { return static_cast<int>(this->LayerFrames.size()); }

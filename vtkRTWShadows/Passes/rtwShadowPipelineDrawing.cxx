@@ -3,14 +3,22 @@
 #include "rtwShadowPipeline.h"
 
 #include "rtwAnalysisInput.h"
+#include "rtwFramedView.h"
 #include "rtwStateGuard.h"
 
 #include "vtkOpenGLRenderWindow.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace rtw
 {
+namespace
+{
+constexpr double DepthStep = 6e-8;    // of 24 bits
+constexpr double CoarsestStep = 1e-4; // of what is seen
+}
+
 bool ShadowPipeline::NeedsViewSamples(const PipelineOptions& options) const
 {
   return this->OwnDrawing &&
@@ -22,6 +30,13 @@ bool ShadowPipeline::NeedsViewSamples(const PipelineOptions& options) const
 bool ShadowPipeline::ResampleLastFrame(const PipelineOptions& options)
 {
   if (!options.PreviousFrame || !this->Last.Resembles(this->Viewed, this->SceneSize))
+  {
+    return false;
+  }
+  // A depth buffer whose range is wide beside what is seen of it says too little of that.
+  const View& last = this->Last.GetView();
+  const double step = last.Framed ? DepthStep * std::abs(DepthToSample(last).x) : 0;
+  if (step > CoarsestStep)
   {
     return false;
   }

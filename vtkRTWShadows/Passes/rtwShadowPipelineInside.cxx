@@ -75,8 +75,15 @@ double ShadowPipeline::PredictError(
 glm::dvec2 ShadowPipeline::ReadInterval(int layer) const
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  return this->LayerFrames[layer].Parts > 1 ? this->Table.ReadInterval(layer)
-                                            : glm::dvec2(-infinity, infinity);
+  if (this->LayerFrames[layer].Parts == 1)
+  {
+    return glm::dvec2(-infinity, infinity);
+  }
+  // The ends of the first and the last say that all belongs to them.
+  const double begin = this->Viewed.Begin;
+  const glm::dvec2 interval = this->Table.ReadInterval(layer);
+  return { interval.x == 0 ? 0 : interval.x + begin,
+    interval.y > 1e38 ? interval.y : interval.y + begin };
 }
 
 std::vector<float> ShadowPipeline::ReadImportance(int layer) const

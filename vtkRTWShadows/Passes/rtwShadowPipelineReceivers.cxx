@@ -2,6 +2,11 @@
 // What a frame has for the shaders of receivers.
 #include "rtwShadowPipeline.h"
 
+#include "rtwFramedView.h"
+
+#include <algorithm>
+#include <cmath>
+
 namespace rtw
 {
 ReceiverUniforms ShadowPipeline::MakeUniforms(const PipelineOptions& options) const
@@ -14,17 +19,34 @@ ReceiverUniforms ShadowPipeline::MakeUniforms(const PipelineOptions& options) co
   uniforms.OtherLayers = this->OtherLayers;
   uniforms.OriginX = this->Viewed.OriginX;
   uniforms.OriginY = this->Viewed.OriginY;
-  uniforms.RayStep = glm::vec3(ViewSampler::RayStep(this->Viewed));
-  uniforms.DepthToSample = glm::vec2(ViewSampler::DepthToSample(this->Viewed));
+  this->PlaceReceivers(uniforms);
   if (options.SamplesAPixel > 1)
   {
     uniforms.Points = this->Sampler.GetOffsets();
-    uniforms.ParallelView = glm::vec2(ViewSampler::SampleToDistance(this->Viewed));
     uniforms.HiddenBeyond = float(DepthRounding * this->SceneSize);
   }
   uniforms.Lights =
     ReceiverLights::Make(this->Frames, this->Viewed, options.Lookup, this->SceneSize);
   return uniforms;
+}
+
+void ShadowPipeline::PlaceReceivers(ReceiverUniforms& uniforms) const
+{
+  const View& view = this->Viewed;
+  const glm::dvec2 toSample = DepthToSample(view);
+  uniforms.Framed = view.Framed || view.Parallel;
+  uniforms.ViewBegin = float(view.Begin);
+  uniforms.Ray = glm::vec4(RayOf(view));
+  uniforms.OfSample = glm::vec4(PlaceOf(view));
+  const glm::dvec2 scale(2.0 / view.Width, 2.0 / view.Height);
+  uniforms.ToClip = glm::vec4(scale, -scale * glm::dvec2(view.OriginX, view.OriginY) - 1.0);
+  uniforms.RayStep = glm::vec3(RayStep(view));
+  uniforms.DepthToSample = glm::vec2(toSample);
+  uniforms.OwnDepthToSample = glm::vec2(OwnDepthToSample(view));
+  // Of what is finer: a step of depth in units of length, or one of the distance from the camera.
+  const double stepOfDepth = std::abs(toSample.x) * (view.Range.y - view.Range.x);
+  const double farthest = std::max(std::abs(view.Range.x), std::abs(view.Range.y));
+  uniforms.PlacedBy = !view.Framed ? 0 : stepOfDepth > farthest ? 1 : 2;
 }
 
 void ShadowPipeline::BindTextures(const ReceiverUniforms& units, bool maps) const

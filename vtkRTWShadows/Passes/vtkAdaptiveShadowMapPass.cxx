@@ -219,7 +219,7 @@ void vtkAdaptiveShadowMapPass::DrawViewSamples(vtkRenderer* renderer)
   Internals::Attachment attachment(my, this, my.Scene.Shaded, rtw::Phase::ViewSamples, 0);
   if (attachment.IsComplete())
   {
-    rtw::DrawMapperSamples(renderer, my.Scene.Props);
+    rtw::DrawMapperSamples(renderer, my.Scene.Props, my.Pipeline.GetView());
   }
 }
 

@@ -1,7 +1,7 @@
 // What each pixel shows, as the light sees it, and how many samples fall on each texel.
 //
-// Depth is signed distance along a directional light, from the eye, and -1/w under a spot, w being the distance along its axis: both linear
-// over a plane, and as precise as floats are where the eye is, or the lamp. A sample is put nearer to the light by as much as roundings
+// Depth is signed distance along a directional light, from where view coordinates begin, and r - r²/w under a spot, w being the distance
+// along its axis and r that of what is seen: both linear over a plane, and as precise as floats are there. A sample is put nearer to the light by as much as roundings
 // can be, so that the triangle that it lies on, and that one's neighbours at their common edge, are not in front of it.
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(std430, binding = 0) writeonly buffer Found
@@ -19,7 +19,8 @@ layout(std430, binding = 2) writeonly buffer States
 uniform int rtwLayer;
 uniform mat4 rtwViewToPlane; // to (l · w, depth · w, w)
 uniform vec4 rtwCone;        // a spot's: centre, tangent; tangent 0 for a directional light
-uniform vec3 rtwTolerance;   // lengths: along the light; across it, and there a share of the distance from the eye
+uniform vec3 rtwTolerance;   // lengths: along the light; across it, and there a share of the distance from where view coordinates begin
+uniform float rtwReference;  // r; 0 for a directional light
 uniform int rtwSamplesAPixel;
 uniform vec2 rtwOffsets[8]; // of a pixel's samples from its centre, in pixels
 
@@ -49,10 +50,12 @@ bool rtwPlace(ivec2 pixel, int point, uint place)
   vec2 gradient = vec2(dx.z * dy.y - dy.z * dx.y, dx.x * dy.z - dy.x * dx.z) / area;
   float across = (rtwTolerance.y + rtwTolerance.z * length(plane.here)) / here.w;
   across *= rtwCone.z == 0.0 ? 1.0 : 1.0 + distance(here.xy, rtwCone.xy);
-  float depth = here.z - rtwTolerance.x / (here.w * here.w) - across * (abs(gradient.x) + abs(gradient.y));
+  // Of depth, what a length along the light is.
+  float rate = rtwReference > 0.0 ? rtwReference / here.w * (rtwReference / here.w) : 1.0;
+  float depth = here.z - rtwTolerance.x * rate - across * (abs(gradient.x) + abs(gradient.y));
   vec2 onMap = rtwWarp(rtwLayer, rtwFocused(rtwFocus(rtwLayer), here.xy));
   uint texel = rtwTexelAt(onMap);
-  rtwFound[place] = vec4(here.xy, depth, rtwPackNormal(normalize(vec3(-gradient * here.w, 1.0))));
+  rtwFound[place] = vec4(here.xy, depth, rtwPackNormal(normalize(vec3(-gradient / (here.w * rate), 1.0))));
   rtwPlaces[place] = uvec2(texel, atomicAdd(rtwNodes[texel].count, 1u));
   return true;
 }

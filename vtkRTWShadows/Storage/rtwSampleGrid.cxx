@@ -34,7 +34,7 @@ constexpr double LeastSamples = 4;     // a texel, in the mean
 constexpr int GroupsInRow = 1024;
 
 // What coordinates lose when meshes, matrices and view samples become floats, of a scene's
-// diagonal, and of the distance from the eye: 2^-23 is 1.2e-7.
+// diagonal, and of the distance from the view's origin: 2^-23 is 1.2e-7.
 constexpr double AlongLight = 2e-6;
 constexpr double AcrossLight = 2.5e-7;
 constexpr double AcrossLightOfDistance = 5e-7;
@@ -77,12 +77,26 @@ const char* PointCode(bool many)
   return many ? rtwSampleOfPixel : rtwPointOfPixel;
 }
 
-glm::dmat4 WorldToExactPlane(const LightFrame& frame, const glm::dvec3& eye)
+// Floats are no coarser at a distance w than 1e-7 w, as they would be from the spot itself, while
+// the reference is at least half of any w.
+double ExactReference(const LightFrame& frame, const glm::dvec3& origin)
 {
-  const bool isSpot = frame.Light.Kind == LightKind::Spot;
+  if (frame.Light.Kind != LightKind::Spot)
+  {
+    return 0;
+  }
+  const double seen = glm::dot(origin - frame.Light.Position, frame.Light.Direction);
+  return std::clamp(seen, 0.5 * frame.FarthestDistance, frame.FarthestDistance);
+}
+
+glm::dmat4 WorldToExactPlane(const LightFrame& frame, const glm::dvec3& origin)
+{
+  const double reference = ExactReference(frame, origin);
   const glm::dvec3& along = frame.Light.Direction;
-  const glm::dvec4 depth =
-    isSpot ? glm::dvec4(0, 0, 0, -1) : glm::dvec4(along, -glm::dot(eye, along));
+  const glm::dvec4 depth = reference > 0
+    ? reference *
+      glm::dvec4(along, -glm::dot(frame.Light.Position, along) - reference)
+    : glm::dvec4(along, -glm::dot(origin, along));
   return glm::row(frame.WorldToLight, 2, depth);
 }
 
@@ -153,7 +167,7 @@ void SampleGrid::BindList(unsigned int listed, unsigned int owners) const
 void SampleGrid::Count(const GridInput& input)
 {
   const View& view = input.Samples.GetView();
-  const glm::mat4 toPlane(WorldToExactPlane(input.Frame, view.Eye) * view.ViewToWorld);
+  const glm::mat4 toPlane(WorldToExactPlane(input.Frame, view.Origin) * view.ViewToWorld);
   const LightFrame& frame = input.Frame;
   this->Counting.Use();
   input.Samples.Bind(this->Counting);
@@ -169,6 +183,7 @@ void SampleGrid::Count(const GridInput& input)
     float(frame.ConeCentre.y), float(frame.ConeTangent), 0.f);
   this->Counting.Set("rtwTolerance", float(AlongLight * input.SceneSize),
     float(AcrossLight * input.SceneSize), float(AcrossLightOfDistance));
+  this->Counting.Set("rtwReference", float(ExactReference(frame, view.Origin)));
   SetPoints(this->Counting, this->Points);
   Dispatch(Groups(input.Samples.GetWidth(), 8), Groups(input.Samples.GetHeight(), 8));
 }

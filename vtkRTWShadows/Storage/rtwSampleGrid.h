@@ -18,9 +18,12 @@ namespace rtw
 {
 class ViewSampler;
 
-/// From world to (l · w, depth · w, w) as the exact test has it: depth is the signed distance from
-/// the eye along a directional light, and -1/w under a spot.
-glm::dmat4 WorldToExactPlane(const LightFrame& frame, const glm::dvec3& eye);
+/// How far from a spot along its axis depths of the exact test are 0: about what is seen, as far as
+/// nothing that it shines on is much farther; 0 for a directional light.
+double ExactReference(const LightFrame& frame, const glm::dvec3& origin);
+/// From world to (l · w, depth · w, w) as the exact test has it: depth is the signed distance along a
+/// directional light from the view's origin, and r - r²/w under a spot, with r the reference.
+glm::dmat4 WorldToExactPlane(const LightFrame& frame, const glm::dvec3& origin);
 
 /// How many samples lie on the texels that have any.
 struct ListLengths

@@ -10,7 +10,7 @@ float rtwMine = 0.0;
 
 void rtwVisit(LitSample s)
 {
-  rtwMine = max(rtwMine, -1.0 / s.position.z);
+  rtwMine = max(rtwMine, 1.0 / rtwDistance(s.position));
 }
 
 void main()

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rtwResolutionSplit.h"
 
+#include "rtwFramedView.h"
 #include "rtwMinimalFrustum.h"
-#include "rtwView.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,8 +26,9 @@ double DepthOf(const View& viewed, const glm::dvec3& p)
 }
 
 // Of a view that reaches from one depth to another.
-glm::dmat4 ClipToWorldBetween(const View& viewed, double from, double to)
+glm::dmat4 ClipToWorldBetween(const View& seen, double from, double to)
 {
+  const View viewed = AtEye(seen);
   glm::dmat4 toClip = viewed.ViewToClip;
   const double extent = to - from;
   toClip[0][2] = toClip[1][2] = 0;
