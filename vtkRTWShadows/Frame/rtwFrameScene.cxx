@@ -189,7 +189,9 @@ struct Collector
     for (const SceneLeaf& leaf : leaves.Actors)
     {
       SceneShading shading;
-      shading.DrawsItself = !this->OwnDrawing || !IsPlainMeshActor(leaf.Actor);
+      // A follower that is a part turns from where its owner places it.
+      const bool turns = leaf.Placed && leaf.Actor->IsA("vtkFollower");
+      shading.DrawsItself = !this->OwnDrawing || turns || !IsPlainMeshActor(leaf.Actor);
       shading.IsUnsampled = leaf.Actor->HasTranslucentPolygonalGeometry() != 0;
       this->Shade(owner, leaf, shading, leaves.HasOthers);
       added.Translucent = added.Translucent || shading.IsUnsampled;

@@ -152,10 +152,12 @@ SceneLeaves LeavesOf(vtkProp* prop)
   while (vtkAssemblyPath* path = prop->GetNextPath())
   {
     vtkAssemblyNode* node = path->GetLastNode();
-    if (node->GetViewProp()->GetVisibility())
+    vtkProp* leaf = node->GetViewProp();
+    // A vtkPropAssembly in another one places nothing.
+    vtkMatrix4x4* place = node->GetMatrix() ? node->GetMatrix() : leaf->GetMatrix();
+    if (leaf->GetVisibility())
     {
-      walker.AddLeaf(
-        node->GetViewProp(), node->GetMatrix() ? ToGlm(node->GetMatrix()) : glm::dmat4(1));
+      walker.AddLeaf(leaf, place ? ToGlm(place) : glm::dmat4(1));
     }
   }
   return std::move(walker.Result);
