@@ -87,6 +87,7 @@ class Stage:
         """What shadows do to a prop and it to them; see Seen."""
         self.renderer.AddViewProp(prop)
         self.renderer.SetPass(self.shadowless)
+        self.shoot()  # some props are complete in their second frame only
         plain = self.shoot()
         self.renderer.SetPass(self.shadowed)
         picture = self.shoot()
@@ -102,7 +103,7 @@ class Stage:
 
 class Seen:
     """pixels: that show the prop. darkened: the share of them that is dark in the sun. casts: pixels of its
-    shadow, on the rest of the picture. receives: the share of its pixels that the roof darkens. changed: the
+    shadow, on the rest of the picture. receives: the share of its pixels that the roof darkens. holes: pixels of it that show the background. changed: the
     largest difference, of 255, that our passes make where shadows take no light away."""
 
     def __init__(self, stage, plain, picture, below, unshadowed):
@@ -114,4 +115,5 @@ class Seen:
         self.casts = int(((high < stage.bare.max(-1) - 60) & ~its).sum())
         self.receives = ((below.max(-1) < high - 12) & its).sum() / share
         self.changed = int(abs(unshadowed - plain).max())
-        self.holes = int(((picture[..., 2] > picture[..., :2].max(-1) + 60) & its).sum())
+        blue = [seen[..., 2] > seen[..., :2].max(-1) + 60 for seen in (picture, plain)]
+        self.holes = int((blue[0] & ~blue[1] & its).sum())

@@ -180,7 +180,7 @@ NEITHER = {
     "vtkCubeAxesActor": lambda r: make(
         "vtkCubeAxesActor", Bounds=(-HALF, HALF, -4.4, -3, 0.1, 1.5), Camera=r.GetActiveCamera()),
     "vtkGraphMapper": lambda r: graph(),
-    "vtkImageActor": lambda r: make("vtkImageActor", InputData=image()),
+    "vtkImageActor": lambda r: make("vtkImageActor", InputData=image(), DisplayExtent=(0, 14, 0, 0, 0, 14)),
     "vtkImplicitPlaneRepresentation": lambda r: widget("vtkImplicitPlaneRepresentation", r),
     "vtkLegendScaleActor": lambda r: vtk.vtkLegendScaleActor(),
     "vtkPolarAxesActor": lambda r: make(
@@ -198,13 +198,13 @@ SEE_THROUGH = {
 def molecule():
     atoms = vtk.vtkMolecule()
     atoms.AppendAtom(6, *CENTRE)
-    mapper = make("vtkMoleculeMapper", InputData=atoms)
+    mapper = make("vtkMoleculeMapper", InputData=atoms, AtomicRadiusScaleFactor=HALF)
     mapper.SetAtomicRadiusTypeToUnitRadius()
     return make("vtkActor", Mapper=mapper)
 
 
 class PropTest(unittest.TestCase):
-    def each(self, props):
+    def each(self, props, check):
         for technique in TECHNIQUES:
             stage = prop_stage.Stage(technique)
             reference = stage.look(actor_of(box()))
@@ -219,24 +219,30 @@ class PropTest(unittest.TestCase):
                     # It stands in the sun.
                     if name not in SEE_THROUGH:
                         self.assertLess(seen.darkened, 0.02)
-                    yield name, seen, reference
+                    check(name, seen, reference)
 
     def test_as_an_actor(self):
-        for _, seen, reference in self.each(AS_AN_ACTOR):
+        def check(_, seen, reference):
             self.assertAlmostEqual(seen.casts, reference.casts, delta=0.1 * reference.casts)
             self.assertAlmostEqual(seen.receives, reference.receives, delta=0.05)
 
+        self.each(AS_AN_ACTOR, check)
+
     def test_casting(self):
-        for name, seen, _ in self.each({name: build for name, (build, _) in CASTING.items()}):
-            # The sun comes from behind and the right: of a thing as high as wide, about a fifth of its pixels.
+        def check(name, seen, _):
+            # The sun comes from behind and the right, so that most of the shadow is hidden.
             self.assertGreater(seen.casts, 0.01 * seen.pixels)
             self.assertGreater(seen.receives, CASTING[name][1])
 
+        self.each({name: build for name, (build, _) in CASTING.items()}, check)
+
     def test_neither(self):
-        for name, seen, _ in self.each(NEITHER):
+        def check(name, seen, _):
             self.assertEqual(seen.casts, 0)
             if name not in SEE_THROUGH:
                 self.assertLess(seen.receives, 0.02)
+
+        self.each(NEITHER, check)
 
     def test_coarse_level(self):
         """A level that an actor chose for speed has no holes, and shadows none of itself."""
