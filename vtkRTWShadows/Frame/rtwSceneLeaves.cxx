@@ -27,12 +27,14 @@ bool IsOneOf(vtkObject* object, std::initializer_list<const char*> classes)
     classes.begin(), classes.end(), [object](const char* name) { return object->IsA(name); });
 }
 
-// Whether every draw of a mapper asks the passes in its prop's keys for shader code. Others would draw colours into maps.
+// Whether every draw of a mapper asks the passes in its prop's keys for shader code, and goes where it is told to. Others would draw
+// colours into maps; those of surface LIC compose images of their own.
 bool AsksPasses(vtkMapper* mapper)
 {
   return IsOneOf(mapper,
-    { "vtkPolyDataMapper", "vtkCompositePolyDataMapper", "vtkDataSetMapper", "vtkGlyph3DMapper",
-      "vtkHyperTreeGridMapper", "vtkMoleculeMapper" });
+           { "vtkPolyDataMapper", "vtkCompositePolyDataMapper", "vtkDataSetMapper",
+             "vtkGlyph3DMapper", "vtkHyperTreeGridMapper", "vtkMoleculeMapper" }) &&
+    !IsOneOf(mapper, { "vtkCompositeSurfaceLICMapper", "vtkSurfaceLICMapper" });
 }
 
 // The sky is no part of the world that light falls on; labels of axes turn in each Render, to whatever camera there is.
