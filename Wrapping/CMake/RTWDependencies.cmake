@@ -5,7 +5,8 @@ set(rtw_vtk_components
   CommonCore CommonDataModel CommonExecutionModel CommonMath CommonTransforms
   FiltersCore RenderingCore RenderingOpenGL2)
 # VTK <= 9.3 loads OpenGL by GLEW and needs `opengl` to link; VTK >= 9.4 has glad, alone.
-set(rtw_vtk_optional_components glew glad opengl)
+# RenderingLOD has an actor whose levels of detail have to be known.
+set(rtw_vtk_optional_components RenderingLOD glew glad opengl)
 
 # For tests and examples; a build without them asks VTK for no more than the module does.
 set(rtw_vtk_test_components)

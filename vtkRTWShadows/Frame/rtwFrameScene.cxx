@@ -2,11 +2,10 @@
 #include "rtwFrameScene.h"
 
 #include "rtwSceneActor.h"
+#include "rtwSceneLeaves.h"
 #include "rtwView.h"
 
 #include "vtkActor.h"
-#include "vtkAssemblyNode.h"
-#include "vtkAssemblyPath.h"
 #include "vtkCollection.h"
 #include "vtkCuller.h"
 #include "vtkCullerCollection.h"
@@ -14,6 +13,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
 #include "vtkMapper.h"
+#include "vtkNew.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
@@ -68,11 +68,14 @@ bool Flag(vtkProp* prop, vtkInformationIntegerKey* key)
   return !keys || !keys->Has(key) || keys->Get(key) != 0;
 }
 
-// Text that faces the viewer, the sky and the like are no part of the world that light falls on.
-bool IsWorldly(vtkProp* prop)
+vtkInformation* KeysOf(vtkProp* prop)
 {
-  return (prop->IsA("vtkActor") && !prop->IsA("vtkSkybox")) || prop->IsA("vtkAssembly") ||
-    prop->IsA("vtkLODProp3D");
+  if (!prop->GetPropertyKeys())
+  {
+    vtkNew<vtkInformation> keys;
+    prop->SetPropertyKeys(keys);
+  }
+  return prop->GetPropertyKeys();
 }
 
 // Whether props that the cullers leave out can't be seen.
@@ -127,48 +130,108 @@ struct Collector
     }
   }
 
-  // The parts of a prop where each of them is a plain mesh; none otherwise. `thick` where they show less than is seen of it.
-  bool CollectMeshes(
-    vtkProp* prop, bool casts, bool receives, std::vector<ScenePart>& parts, bool& thick)
+  // Also for those that VTK draws in an actor's stead, with its keys.
+  void Shade(vtkProp* owner, const SceneLeaf& leaf, const SceneShading& shading, bool mixed)
   {
-    bool plain = this->OwnDrawing;
-    prop->InitPathTraversal();
-    while (vtkAssemblyPath* path = prop->GetNextPath())
+    const bool isUsual = shading == SceneShading();
+    auto& all = this->Result.Shadings;
+    const auto add = [&all, &shading](const vtkObjectBase* object) {
+      SceneShading& there = all[object];
+      there.DrawsItself = there.DrawsItself || shading.DrawsItself;
+      there.IsUnsampled = there.IsUnsampled || shading.IsUnsampled;
+    };
+    if (!isUsual || mixed)
     {
-      vtkAssemblyNode* node = path->GetLastNode();
-      auto* actor = vtkActor::SafeDownCast(node->GetViewProp());
-      plain = plain && actor && IsPlainMeshActor(actor);
-      if (!plain)
-      {
-        continue; // to the end, because the traversal has to be finished
-      }
-      if (actor->GetVisibility() && actor->GetProperty()->GetOpacity() > 0)
-      {
-        const glm::dmat4 toWorld = node->GetMatrix() ? ToGlm(node->GetMatrix()) : glm::dmat4(1);
-        const bool opaque = actor->GetProperty()->GetOpacity() >= 1;
-        this->Result.SamplesAreComplete = this->Result.SamplesAreComplete && DrawsAllAsIs(actor);
-        thick = thick || IsThickActor(actor);
-        const bool lit = receives && actor->GetProperty()->GetLighting();
-        for (vtkPolyData* mesh : MeshesOf(actor))
-        {
-          parts.push_back({ mesh, toWorld, casts, lit && opaque, !lit && opaque, LookOf(actor) });
-        }
-      }
+      add(leaf.Actor);
+      add(KeysOf(owner));
     }
-    return plain;
+    if (!isUsual)
+    {
+      add(leaf.Actor->GetMapper());
+    }
+    if (mixed)
+    {
+      all[KeysOf(owner)].IsMixed = true;
+    }
   }
 
-  void MixIn(
-    vtkProp* prop, const std::vector<ScenePart>& parts, bool casts, bool receives, bool thick)
+  // With `seen` off they only cast.
+  void AddMeshes(const SceneLeaf& leaf, bool casts, bool receives, bool seen, std::vector<ScenePart>& parts)
+  {
+    vtkActor* actor = leaf.Actor;
+    vtkProperty* property = actor->GetProperty();
+    if (property->GetOpacity() <= 0)
+    {
+      return;
+    }
+    const bool opaque = !actor->HasTranslucentPolygonalGeometry();
+    // What is drawn as if it were opaque may still show what is behind it.
+    const bool complete =
+      DrawsAllAsIs(actor) && !leaf.Level && (!opaque || property->GetOpacity() >= 1);
+    this->Result.SamplesAreComplete = this->Result.SamplesAreComplete && complete;
+    const bool lit = receives && property->GetLighting();
+    for (vtkPolyData* mesh : MeshesOf(actor))
+    {
+      parts.push_back({ mesh, leaf.ToWorld, casts, seen && lit && opaque, seen && !lit && opaque,
+        LookOf(actor) });
+    }
+  }
+
+  // Whether there is a plain mesh among the prop's parts, the parts drawn by their mappers, and whether there are translucent ones.
+  struct Added
+  {
+    std::vector<ScenePart> Parts;
+    bool Plain = true;
+    bool Translucent = false;
+  };
+
+  Added AddLeaves(vtkProp* owner, const SceneLeaves& leaves, bool casts, bool receives)
+  {
+    Added added;
+    for (const SceneLeaf& leaf : leaves.Actors)
+    {
+      SceneShading shading;
+      // A follower that is a part turns from where its owner places it.
+      const bool turns = leaf.Placed && leaf.Actor->IsA("vtkFollower");
+      const bool plain = this->OwnDrawing && !turns && IsPlainMeshActor(leaf.Actor);
+      // What is wider than its mesh is seen as its mapper draws it, and casts by parts.
+      const bool thick = plain && IsThickActor(leaf.Actor);
+      shading.DrawsItself = !plain || thick;
+      shading.IsUnsampled = leaf.Actor->HasTranslucentPolygonalGeometry() != 0;
+      this->Shade(owner, leaf, shading, leaves.HasOthers);
+      added.Translucent = added.Translucent || shading.IsUnsampled;
+      if (plain)
+      {
+        this->AddMeshes(leaf, casts, receives, !thick, added.Parts);
+      }
+      if (!shading.DrawsItself)
+      {
+        continue;
+      }
+      added.Plain = false;
+      this->Result.SamplesAreComplete = false;
+      vtkSmartPointer<vtkMatrix4x4> place;
+      if (leaf.Placed)
+      {
+        place = vtkSmartPointer<vtkMatrix4x4>::New();
+        FromGlm(leaf.ToWorld, place);
+      }
+      this->Result.Props.push_back(
+        { leaf.Actor, owner, place, casts && !thick, receives, shading.IsUnsampled });
+    }
+    return added;
+  }
+
+  void MixIn(vtkProp* prop, const Added& added, bool casts, bool receives)
   {
     std::uint64_t& signature = this->Result.Signature;
     signature = Mix(signature, reinterpret_cast<std::uint64_t>(prop));
     signature = Mix(signature, std::uint64_t(casts) | std::uint64_t(receives) << 1);
-    if (parts.empty() || thick)
+    if (!added.Plain)
     {
       signature = Mix(signature, std::uint64_t(prop->GetRedrawMTime()));
     }
-    for (const ScenePart& part : parts)
+    for (const ScenePart& part : added.Parts)
     {
       signature = Mix(signature, reinterpret_cast<std::uint64_t>(part.Data));
       signature = Mix(signature, std::uint64_t(MeshTime(part.Data)));
@@ -180,36 +243,56 @@ struct Collector
 
   void Add(vtkProp* prop)
   {
-    if (!prop->GetVisibility() || !IsWorldly(prop))
+    if (!prop->GetVisibility())
     {
       return;
     }
     const bool casts = Flag(prop, this->Keys.Casts), receives = Flag(prop, this->Keys.Receives);
-    std::vector<ScenePart> parts;
-    bool thick = false;
-    const bool plain = this->CollectMeshes(prop, casts, receives, parts, thick);
-    if (!plain)
+    const SceneLeaves leaves = LeavesOf(prop);
+    for (const std::string& what : leaves.Refusals)
     {
-      parts.clear();
+      if (casts || receives)
+      {
+        this->Result.Refusals.push_back({ prop, what });
+      }
     }
-    for (ScenePart& part : parts)
+    if (leaves.Actors.empty())
     {
-      part.Receives = part.Receives && !thick;
-      part.Hides = part.Hides && !thick;
+      return;
     }
-    if (!plain || thick)
-    {
-      this->Result.SamplesAreComplete = false;
-      this->Result.Props.push_back(
-        { prop, casts && !plain, receives, prop->HasTranslucentPolygonalGeometry() != 0 });
-    }
+    const Added added = this->AddLeaves(prop, leaves, casts, receives);
     // Bounds need an updated pipeline, which collecting the meshes saw to.
-    this->AddBounds(prop, plain, receives && prop->HasTranslucentPolygonalGeometry());
-    this->MixIn(prop, parts, casts, receives, thick);
+    this->AddBounds(prop, added.Plain, receives && added.Translucent);
+    this->MixIn(prop, added, casts, receives);
     this->Result.Shaded.push_back(prop);
-    this->Result.Parts.insert(this->Result.Parts.end(), parts.begin(), parts.end());
+    this->Result.Parts.insert(
+      this->Result.Parts.end(), added.Parts.begin(), added.Parts.end());
   }
 };
+}
+
+std::optional<SceneShading> FrameScene::FindShading(
+  const vtkObjectBase* mapper, vtkProp* prop) const
+{
+  const auto find = [this](const vtkObjectBase* object) {
+    const auto found = this->Shadings.find(object);
+    return found == this->Shadings.end() ? nullptr : &found->second;
+  };
+  const SceneShading* const keys = find(prop->GetPropertyKeys());
+  const SceneShading* own = find(prop);
+  if (!own && keys && keys->IsMixed)
+  {
+    return std::nullopt;
+  }
+  own = own ? own : keys;
+  SceneShading shading = own ? *own : SceneShading();
+  // A mapper keeps one program, whichever of its actors it draws.
+  if (const SceneShading* const shared = find(mapper))
+  {
+    shading.DrawsItself = shading.DrawsItself || shared->DrawsItself;
+    shading.IsUnsampled = shading.IsUnsampled || shared->IsUnsampled;
+  }
+  return shading;
 }
 
 FrameScene CollectScene(vtkRenderer* renderer, const SceneKeys& keys, bool ownDrawing)

@@ -7,13 +7,19 @@
 
 #include <glm/glm.hpp>
 
+#include "vtkMatrix4x4.h"
+#include "vtkSmartPointer.h"
 #include "vtkType.h"
 
 #include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
 #include <vector>
 
 class vtkActor;
 class vtkInformationIntegerKey;
+class vtkObjectBase;
 class vtkPolyData;
 class vtkProp;
 class vtkRenderer;
@@ -35,17 +41,44 @@ struct ScenePart
 /// cast, it is only seen so, and may cast by parts.
 struct SceneProp
 {
-  vtkProp* Prop;
+  vtkActor* Actor;
+  vtkProp* Owner; ///< of which it is a part, or it itself; whose keys it is drawn with
+  vtkSmartPointer<vtkMatrix4x4> Place; ///< that its owner gives it, if any
   bool Casts;
   bool Receives;
   bool Translucent;
+};
+
+/// How an actor's mapper is to be shaded.
+struct SceneShading
+{
+  bool DrawsItself = false; ///< into maps and view samples, besides the picture
+  bool IsUnsampled = false; ///< has parts that are not among the view samples: translucent ones
+  bool IsMixed = false;     ///< of keys: some of what draws with them is no actor of ours, and stays as it is
+
+  bool operator==(const SceneShading& other) const
+  {
+    return this->DrawsItself == other.DrawsItself && this->IsUnsampled == other.IsUnsampled &&
+      this->IsMixed == other.IsMixed;
+  }
+};
+
+/// What somebody might expect a prop to cast or receive, and won't get.
+struct SceneRefusal
+{
+  vtkProp* Prop; ///< as it stands in the renderer
+  std::string What;
 };
 
 struct FrameScene
 {
   std::vector<ScenePart> Parts;
   std::vector<SceneProp> Props;
-  std::vector<vtkProp*> Shaded; ///< every prop whose mappers are given our shader code
+  std::vector<vtkProp*> Shaded; ///< every prop in whose keys the pass has to be, so that its mappers are given our shader code
+  /// Of actors and mappers that aren't shaded as most are, and of the keys that such an actor shares with what VTK draws in its
+  /// stead. Only the addresses are used.
+  std::map<const vtkObjectBase*, SceneShading> Shadings;
+  std::vector<SceneRefusal> Refusals;
   glm::dvec3 Low{ 0 }; ///< of all that has bounds
   glm::dvec3 High{ 0 };
   bool HasBounds = false;
@@ -58,6 +91,8 @@ struct FrameScene
   /// Changes whenever anything that the shadows depend on does.
   std::uint64_t Signature = 0;
 
+  /// Of what a mapper draws as one of the props that are shaded; nothing where that is to stay as it is.
+  std::optional<SceneShading> FindShading(const vtkObjectBase* mapper, vtkProp* prop) const;
   bool IsEmpty() const { return this->Parts.empty() && this->Props.empty(); }
 };
 

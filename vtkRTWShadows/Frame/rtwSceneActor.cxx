@@ -11,6 +11,7 @@
 #include "vtkDataSetMapper.h"
 #include "vtkImageData.h"
 #include "vtkMapper.h"
+#include "vtkMapperCollection.h"
 #include "vtkPlaneCollection.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -21,15 +22,72 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
+
+#if VTK_MODULE_ENABLE_VTK_RenderingLOD
+#include "vtkLODActor.h"
+#endif
 
 namespace rtw
 {
 namespace
 {
+#if VTK_MODULE_ENABLE_VTK_RenderingLOD
+// As vtkLODActor::Render chooses: by the time that each level took when it was last drawn, the untried first. Nothing that the
+// choice depends on changes between here and there.
+vtkMapper* ChosenMapper(vtkLODActor* actor)
+{
+  const float allowed = static_cast<float>(actor->GetAllocatedRenderTime());
+  vtkMapper* best = actor->GetMapper();
+  float bestTime = static_cast<float>(best->GetTimeToDraw());
+  if (bestTime <= allowed)
+  {
+    return best;
+  }
+  vtkMapperCollection* levels = actor->GetLODMappers();
+  vtkCollectionSimpleIterator it;
+  levels->InitTraversal(it);
+  for (vtkMapper* level = levels->GetNextMapper(it); level && bestTime != 0; level = levels->GetNextMapper(it))
+  {
+    const float time = static_cast<float>(level->GetTimeToDraw());
+    if (time == 0 || (bestTime > allowed && time < bestTime) || (time > bestTime && time < allowed))
+    {
+      best = level;
+      bestTime = time;
+    }
+  }
+  return best;
+}
+#endif
+
+// Of the level of detail that will be drawn.
+vtkMapper* MapperOf(vtkActor* actor)
+{
+#if VTK_MODULE_ENABLE_VTK_RenderingLOD
+  auto* levels = vtkLODActor::SafeDownCast(actor);
+  return levels && actor->GetMapper() ? ChosenMapper(levels) : actor->GetMapper();
+#else
+  return actor->GetMapper();
+#endif
+}
+
+// Whether VTK draws nothing but what the mapper is given, where the actor's matrix says. An actor of any other class may draw something
+// else, as vtkQuadricLODActor does.
+bool DrawsItsMapper(vtkActor* actor)
+{
+  const char* const known[] = { "vtkActor", "vtkFollower", "vtkOpenGLActor",
+#if VTK_MODULE_ENABLE_VTK_RenderingLOD
+    "vtkLODActor"
+#endif
+  };
+  return std::any_of(std::begin(known), std::end(known),
+    [actor](const char* name) { return std::strcmp(actor->GetClassName(), name) == 0; });
+}
+
 // Of a vtkDataSetMapper the mapper that draws its surface, which exists from its first frame on.
 vtkMapper* DrawingMapper(vtkActor* actor)
 {
-  vtkMapper* mapper = actor->GetMapper();
+  vtkMapper* mapper = MapperOf(actor);
   auto* surface = mapper && std::strcmp(mapper->GetClassName(), "vtkDataSetMapper") == 0
     ? vtkDataSetMapper::SafeDownCast(mapper)->GetPolyDataMapper()
     : nullptr;
@@ -116,11 +174,15 @@ std::vector<vtkPolyData*> MeshesOf(vtkActor* actor)
   return meshes;
 }
 
-// Of an actor with levels of detail this is the finest, whichever is seen: shadows don't change while the view moves.
+bool ChoosesMapper(vtkActor* actor)
+{
+  return actor->IsA("vtkLODActor");
+}
+
 bool IsPlainMeshActor(vtkActor* actor)
 {
   vtkMapper* mapper = DrawingMapper(actor);
-  if (!mapper || !(IsMeshMapper(mapper) || IsCompositeMeshMapper(mapper)))
+  if (!DrawsItsMapper(actor) || !mapper || !(IsMeshMapper(mapper) || IsCompositeMeshMapper(mapper)))
   {
     return false;
   }

@@ -25,6 +25,8 @@ bool IsThickActor(vtkActor* actor);
 /// Whether the mapper of one that isn't draws all of its triangles at no other depth: no culled faces, no offsets between
 /// coincident primitives.
 bool DrawsAllAsIs(vtkActor* actor);
+/// Whether an actor chooses what to draw in each Render; it is taken to draw the level that it would choose now.
+bool ChoosesMapper(vtkActor* actor);
 /// The meshes of such an actor, brought up to date; hidden blocks of a composite dataset left out.
 std::vector<vtkPolyData*> MeshesOf(vtkActor* actor);
 /// When a mesh's geometry last changed.

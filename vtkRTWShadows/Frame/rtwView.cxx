@@ -52,6 +52,17 @@ glm::dmat4 ToGlm(vtkMatrix4x4* matrix)
   return result;
 }
 
+void FromGlm(const glm::dmat4& from, vtkMatrix4x4* to)
+{
+  for (int row = 0; row < 4; ++row)
+  {
+    for (int column = 0; column < 4; ++column)
+    {
+      to->SetElement(row, column, from[column][row]);
+    }
+  }
+}
+
 bool View::IsUsable() const
 {
   if (this->Width < 1 || this->Height < 1)

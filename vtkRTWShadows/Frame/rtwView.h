@@ -44,6 +44,7 @@ bool Resembles(const View& view, const View& other, double sceneSize);
 
 /// VTK's row-major matrix as GLM's.
 glm::dmat4 ToGlm(vtkMatrix4x4* matrix);
+void FromGlm(const glm::dmat4& from, vtkMatrix4x4* to);
 /// Of the frame that a render state is for: in its framebuffer, where it has one.
 View ViewOf(const vtkRenderState* state);
 }

@@ -16,6 +16,7 @@ using CompositeMapper = vtkCompositePolyDataMapper2;
 #include <algorithm>
 #include <cstring>
 #include <initializer_list>
+#include <sstream>
 
 namespace rtw
 {
@@ -39,6 +40,17 @@ vtkCompositeDataDisplayAttributes* CompositeAttributesOf(vtkMapper* mapper)
 {
   auto* composite = CompositeMapper::SafeDownCast(mapper);
   return composite ? composite->GetCompositeDataDisplayAttributes() : nullptr;
+}
+
+std::string NameOf(vtkObject* object)
+{
+#if VTK_MAJOR_VERSION > 9 || (VTK_MAJOR_VERSION == 9 && VTK_MINOR_VERSION >= 2)
+  return object->GetObjectDescription();
+#else
+  std::ostringstream name;
+  name << object->GetClassName() << " (" << object << ")";
+  return name.str();
+#endif
 }
 
 bool IsMeshMapper(vtkMapper* mapper)

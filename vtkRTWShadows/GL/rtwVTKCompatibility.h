@@ -3,8 +3,11 @@
 #ifndef rtwVTKCompatibility_h
 #define rtwVTKCompatibility_h
 
+#include <string>
+
 class vtkCompositeDataDisplayAttributes;
 class vtkMapper;
+class vtkObject;
 
 namespace rtw
 {
@@ -14,6 +17,8 @@ bool IsCompositeMeshMapper(vtkMapper* mapper);
 vtkCompositeDataDisplayAttributes* CompositeAttributesOf(vtkMapper* mapper);
 /// Whether a mapper draws one mesh, as it is; false for its subclasses, such as the imposters.
 bool IsMeshMapper(vtkMapper* mapper);
+/// Its class and address, and the name that somebody gave it, where VTK has such names (from 9.2 on).
+std::string NameOf(vtkObject* object);
 }
 
 #endif

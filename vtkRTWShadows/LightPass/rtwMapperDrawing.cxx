@@ -3,8 +3,6 @@
 
 #include "rtwView.h"
 
-#include "vtkAssemblyNode.h"
-#include "vtkAssemblyPath.h"
 #include "vtkCamera.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
@@ -22,17 +20,6 @@ namespace rtw
 {
 namespace
 {
-void CopyTo(vtkMatrix4x4* to, const glm::dmat4& from)
-{
-  for (int row = 0; row < 4; ++row)
-  {
-    for (int column = 0; column < 4; ++column)
-    {
-      to->SetElement(row, column, from[column][row]);
-    }
-  }
-}
-
 // Stands where the light does, or before the scene; its projection leads to light-plane coordinates whatever its own frustum is.
 // Its kind of projection is the viewer's, because mappers build other shaders for another kind.
 void SetLightCamera(vtkCamera* camera, const LightFrame& frame, vtkCamera* viewer)
@@ -54,7 +41,7 @@ void SetLightCamera(vtkCamera* camera, const LightFrame& frame, vtkCamera* viewe
   toClip = glm::row(toClip, 2, 2.0 * glm::row(toClip, 2) - glm::row(toClip, 3));
   const glm::dmat4 viewToWorld = glm::inverse(ToGlm(camera->GetModelViewTransformMatrix()));
   vtkNew<vtkMatrix4x4> projection;
-  CopyTo(projection, toClip * viewToWorld);
+  FromGlm(toClip * viewToWorld, projection);
   camera->SetExplicitProjectionTransformMatrix(projection);
   camera->UseExplicitProjectionTransformMatrixOn();
 }
@@ -100,42 +87,25 @@ void DrawTranslucent(vtkRenderer* renderer, vtkProp* prop)
     keys->Remove(key);
   }
 }
-}
 
-namespace
+// As its owner would draw it, alone.
+template <class Draw>
+void DrawPart(const SceneProp& prop, Draw draw)
 {
-void AddActors(vtkProp* prop, std::set<vtkProp*>& actors)
-{
-  actors.insert(prop);
-  prop->InitPathTraversal();
-  while (vtkAssemblyPath* path = prop->GetNextPath())
+  if (prop.Actor != prop.Owner)
   {
-    actors.insert(path->GetLastNode()->GetViewProp());
+    prop.Actor->SetPropertyKeys(prop.Owner->GetPropertyKeys());
+  }
+  if (prop.Place)
+  {
+    prop.Actor->PokeMatrix(prop.Place);
+  }
+  draw(prop.Actor);
+  if (prop.Place)
+  {
+    prop.Actor->PokeMatrix(nullptr);
   }
 }
-}
-
-std::set<vtkProp*> ActorsOf(const std::vector<SceneProp>& props)
-{
-  std::set<vtkProp*> actors;
-  for (const SceneProp& prop : props)
-  {
-    AddActors(prop.Prop, actors);
-  }
-  return actors;
-}
-
-std::set<vtkProp*> TranslucentActorsOf(const std::vector<vtkProp*>& props)
-{
-  std::set<vtkProp*> actors;
-  for (vtkProp* prop : props)
-  {
-    if (prop->HasTranslucentPolygonalGeometry())
-    {
-      AddActors(prop, actors);
-    }
-  }
-  return actors;
 }
 
 void DrawMapperCasters(
@@ -149,11 +119,13 @@ void DrawMapperCasters(
   {
     if (prop.Casts)
     {
-      prop.Prop->RenderOpaqueGeometry(renderer);
-      if (prop.Translucent)
-      {
-        DrawTranslucent(renderer, prop.Prop);
-      }
+      DrawPart(prop, [&](vtkActor* actor) {
+        actor->RenderOpaqueGeometry(renderer);
+        if (prop.Translucent)
+        {
+          DrawTranslucent(renderer, actor);
+        }
+      });
     }
   }
   renderer->SetActiveCamera(viewer);
@@ -173,7 +145,7 @@ void DrawMapperSamples(
   }
   for (const SceneProp& prop : props)
   {
-    prop.Prop->RenderOpaqueGeometry(renderer);
+    DrawPart(prop, [renderer](vtkActor* actor) { actor->RenderOpaqueGeometry(renderer); });
   }
   if (view.Framed)
   {

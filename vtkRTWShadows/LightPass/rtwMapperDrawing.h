@@ -6,7 +6,6 @@
 #include "rtwLightFrame.h"
 #include "rtwFrameScene.h"
 
-#include <set>
 #include <vector>
 
 class vtkRenderer;
@@ -15,10 +14,6 @@ namespace rtw
 {
 struct View;
 
-/// The actors that those props consist of: what a mapper knows as its prop.
-std::set<vtkProp*> ActorsOf(const std::vector<SceneProp>& props);
-/// The actors in any of those props that have a translucent part.
-std::set<vtkProp*> TranslucentActorsOf(const std::vector<vtkProp*>& props);
 /// The casters among the props as the light sees them, translucent ones as if they were opaque. The clip coordinates are those
 /// of the light plane; rtwPlaceCaster.glsl takes them onto the map.
 void DrawMapperCasters(

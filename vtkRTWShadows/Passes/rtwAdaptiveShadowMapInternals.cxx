@@ -8,7 +8,26 @@
 #include "vtkShadowMapWarp.h"
 #include "vtkTextureUnitManager.h"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
+
+namespace
+{
+bool HasPass(vtkInformation* keys, vtkObjectBase* pass)
+{
+  vtkInformationObjectBaseVectorKey* const passes = vtkOpenGLRenderPass::RenderPasses();
+  const int length = keys->Has(passes) ? passes->Length(keys) : 0;
+  for (int i = 0; i < length; ++i)
+  {
+    if (passes->Get(keys, i) == pass)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+}
 
 bool vtkAdaptiveShadowMapPass::Internals::MakeCurrent()
 {
@@ -39,6 +58,33 @@ void vtkAdaptiveShadowMapPass::Internals::UsePartition(vtkShadowMapPartition* pa
   }
 }
 
+void vtkAdaptiveShadowMapPass::Internals::KeepShaded(std::vector<vtkProp*>& props) const
+{
+  std::vector<vtkProp*> shaded = this->Scene.Shaded;
+  std::sort(shaded.begin(), shaded.end());
+  const auto isOther = [&shaded](vtkProp* prop) {
+    return !std::binary_search(shaded.begin(), shaded.end(), prop);
+  };
+  props.erase(std::remove_if(props.begin(), props.end(), isOther), props.end());
+}
+
+std::vector<rtw::SceneRefusal> vtkAdaptiveShadowMapPass::Internals::FindNewRefusals()
+{
+  for (auto at = this->Refused.begin(); at != this->Refused.end();)
+  {
+    at = at->second ? std::next(at) : this->Refused.erase(at);
+  }
+  std::vector<rtw::SceneRefusal> found;
+  for (const rtw::SceneRefusal& refusal : this->Scene.Refusals)
+  {
+    if (this->Refused.emplace(refusal.Prop, refusal.Prop).second)
+    {
+      found.push_back(refusal);
+    }
+  }
+  return found;
+}
+
 std::uint64_t vtkAdaptiveShadowMapPass::Internals::Sign(
   vtkMTimeType warpTime, vtkMTimeType partitionTime) const
 {
@@ -59,10 +105,9 @@ std::uint64_t vtkAdaptiveShadowMapPass::Internals::Sign(
 }
 
 vtkAdaptiveShadowMapPass::Internals::Attachment::Attachment(Internals& internals, vtkAdaptiveShadowMapPass* pass,
-  std::vector<vtkProp*> props, rtw::Phase phase, int layer)
+  const std::vector<vtkProp*>& props, rtw::Phase phase, int layer)
   : My(internals)
   , Pass(pass)
-  , Props(std::move(props))
 {
   vtkTextureUnitManager* manager = this->My.Window->GetTextureUnitManager();
   const bool hasGrid = this->My.Pipeline.GetShape().Kind == rtw::WarpKind::Grid;
@@ -95,7 +140,7 @@ vtkAdaptiveShadowMapPass::Internals::Attachment::Attachment(Internals& internals
     const rtw::StateRecord::Scope taking(&this->Bound);
     this->My.Pipeline.BindTextures(uniforms, phase == rtw::Phase::Picture);
   }
-  for (vtkProp* prop : this->Props)
+  for (vtkProp* prop : props)
   {
     vtkInformation* keys = prop->GetPropertyKeys();
     if (!keys)
@@ -104,7 +149,12 @@ vtkAdaptiveShadowMapPass::Internals::Attachment::Attachment(Internals& internals
       prop->SetPropertyKeys(keys);
       keys->FastDelete();
     }
-    keys->Append(vtkOpenGLRenderPass::RenderPasses(), this->Pass);
+    // Props may share theirs, and shader code would be put in twice.
+    if (!HasPass(keys, this->Pass))
+    {
+      keys->Append(vtkOpenGLRenderPass::RenderPasses(), this->Pass);
+      this->Keys.emplace_back(keys);
+    }
   }
 }
 
@@ -114,9 +164,8 @@ vtkAdaptiveShadowMapPass::Internals::Attachment::~Attachment()
   if (this->IsComplete())
   {
     this->Bound.GiveBack();
-    for (vtkProp* prop : this->Props)
+    for (vtkInformation* keys : this->Keys)
     {
-      vtkInformation* keys = prop->GetPropertyKeys();
       keys->Remove(vtkOpenGLRenderPass::RenderPasses(), this->Pass);
       if (keys->Length(vtkOpenGLRenderPass::RenderPasses()) == 0)
       {

@@ -17,7 +17,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 
-#include <set>
+#include <map>
 #include <vector>
 
 class vtkAdaptiveShadowMapPass::Internals
@@ -28,14 +28,14 @@ public:
   rtw::ReceiverUniforms Uniforms;
   rtw::LightCollection Lights;
   rtw::FrameScene Scene;
-  /// Of which only addresses are used: the actors of Scene.Props, and those that have translucent parts.
-  std::set<vtkProp*> DrawnByMappers, Translucent;
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   vtkWeakPointer<vtkRenderer> Renderer; ///< that the last bake was for
   vtkSmartPointer<vtkShadowMapWarp> Warp; ///< that the pipeline uses; kept alive for its stage
   vtkSmartPointer<vtkShadowMapPartition> Partition; ///< likewise
   vtkSmartPointer<vtkImageData> MaskImage, MapImage, WarpImage, ImportanceImage, AliasingImage;
   vtkRenderPass* DefaultSequence = nullptr; ///< only compared with
+  /// Whose refusals were said, as long as they live.
+  std::map<vtkProp*, vtkWeakPointer<vtkProp>> Refused;
   bool WasMasked = false;
   bool AwaitsDebugView = false; ///< of what is drawn next, the first since the bake
   bool WarnedOfContext = false;
@@ -60,6 +60,10 @@ public:
       this->Has(light) && layer >= 0 && layer < this->Pipeline.GetLayerFrames()[0].Parts;
     return exists ? light * this->Pipeline.GetLayerFrames()[0].Parts + layer : -1;
   }
+  /// Takes out those that Scene doesn't shade.
+  void KeepShaded(std::vector<vtkProp*>& props) const;
+  /// Of props that were in none of the answers before.
+  std::vector<rtw::SceneRefusal> FindNewRefusals();
   bool MakeCurrent();
   void UseWarp(vtkShadowMapWarp* warp);
   void UsePartition(vtkShadowMapPartition* partition);
@@ -69,8 +73,8 @@ public:
   class Attachment
   {
   public:
-    Attachment(Internals& internals, vtkAdaptiveShadowMapPass* pass, std::vector<vtkProp*> props,
-      rtw::Phase phase, int layer);
+    Attachment(Internals& internals, vtkAdaptiveShadowMapPass* pass,
+      const std::vector<vtkProp*>& props, rtw::Phase phase, int layer);
     ~Attachment();
     Attachment(const Attachment&) = delete;
     Attachment& operator=(const Attachment&) = delete;
@@ -80,7 +84,7 @@ public:
   private:
     Internals& My;
     vtkAdaptiveShadowMapPass* Pass;
-    std::vector<vtkProp*> Props;
+    std::vector<vtkSmartPointer<vtkInformation>> Keys;
     std::vector<int> Units;
     std::size_t Needed;
     rtw::StateRecord Bound;

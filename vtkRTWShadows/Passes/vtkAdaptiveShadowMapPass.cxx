@@ -3,6 +3,7 @@
 
 #include "rtwAdaptiveShadowMapInternals.h"
 #include "rtwMapperDrawing.h"
+#include "rtwVTKCompatibility.h"
 
 #include "vtkActor.h"
 #include "vtkAdaptiveShadowMapBakerPass.h"
@@ -21,7 +22,7 @@
 
 #include <algorithm>
 #include <cstring>
-#include <set>
+#include <optional>
 #include <utility>
 
 vtkStandardNewMacro(vtkAdaptiveShadowMapPass);
@@ -89,6 +90,16 @@ void vtkAdaptiveShadowMapPass::WarnOnce()
   }
 }
 
+void vtkAdaptiveShadowMapPass::WarnOfProps()
+{
+  Internals& my = *this->Shadows;
+  for (const rtw::SceneRefusal& refusal : my.FindNewRefusals())
+  {
+    vtkWarningMacro(<< rtw::NameOf(refusal.Prop) << " " << refusal.What
+                    << "; where that is meant, set CASTS_SHADOW() and RECEIVES_SHADOW() of its property keys to 0");
+  }
+}
+
 void vtkAdaptiveShadowMapPass::WarnOfMaskSource()
 {
   Internals& my = *this->Shadows;
@@ -145,9 +156,11 @@ void vtkAdaptiveShadowMapPass::Bake(const vtkRenderState* s)
     lit->UpdateLights();
   }
   my.Lights = rtw::CollectLights(renderer);
+  const auto shadings = std::move(my.Scene.Shadings);
   my.Scene = rtw::CollectScene(
     renderer, { CASTS_SHADOW(), RECEIVES_SHADOW() }, my.Pipeline.HasOwnDrawing());
   this->WarnOnce();
+  this->WarnOfProps();
 
   const std::size_t lights = my.Lights.Shadowing.size();
   const int parts = my.Pipeline.CountParts(lights);
@@ -182,15 +195,11 @@ void vtkAdaptiveShadowMapPass::Bake(const vtkRenderState* s)
   {
     shape.Switched.push_back(light.Switched);
   }
-  std::set<vtkProp*> drawn = rtw::ActorsOf(my.Scene.Props);
-  std::set<vtkProp*> translucent = rtw::TranslucentActorsOf(my.Scene.Shaded);
-  if (!(shape == my.Options.Shape) || drawn != my.DrawnByMappers || translucent != my.Translucent ||
+  if (!(shape == my.Options.Shape) || shadings != my.Scene.Shadings ||
     my.WasMasked != my.Options.Masked || (samplesBefore > 1) != (my.Options.SamplesAPixel > 1))
   {
     my.Options.Shape = shape;
     my.WasMasked = my.Options.Masked;
-    my.DrawnByMappers = std::move(drawn);
-    my.Translucent = std::move(translucent);
     this->StageTime.Modified();
   }
   my.Options.Signature = my.Sign(this->Warp->GetMTime(), this->Partition->GetMTime());
@@ -257,7 +266,8 @@ void vtkAdaptiveShadowMapPass::RenderShadowed(const vtkRenderState* s, vtkRender
 void vtkAdaptiveShadowMapPass::RenderLit(const vtkRenderState* s, vtkRenderPass* delegate)
 {
   Internals& my = *this->Shadows;
-  const std::vector<vtkProp*> props(s->GetPropArray(), s->GetPropArray() + s->GetPropArrayCount());
+  std::vector<vtkProp*> props(s->GetPropArray(), s->GetPropArray() + s->GetPropArrayCount());
+  my.KeepShaded(props);
   Internals::Attachment attachment(my, this, props, rtw::Phase::Picture, 0);
   if (!attachment.IsComplete() && !my.WarnedOfUnits)
   {
@@ -279,9 +289,9 @@ void vtkAdaptiveShadowMapPass::RenderLit(const vtkRenderState* s, vtkRenderPass*
 }
 
 bool vtkAdaptiveShadowMapPass::PreReplaceShaderValues(
-  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp*)
+  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop)
 {
-  if (vtkPolyDataMapper::SafeDownCast(mapper))
+  if (vtkPolyDataMapper::SafeDownCast(mapper) && this->Shadows->Scene.FindShading(mapper, prop))
   {
     ++this->NumberOfShaderBuilds;
     rtw::MarkPlaces(fragmentShader);
@@ -296,16 +306,17 @@ bool vtkAdaptiveShadowMapPass::PreReplaceShaderValues(
 bool vtkAdaptiveShadowMapPass::PostReplaceShaderValues(std::string& vertexShader,
   std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop)
 {
-  if (vtkPolyDataMapper::SafeDownCast(mapper))
+  const Internals& my = *this->Shadows;
+  const std::optional<rtw::SceneShading> shading = my.Scene.FindShading(mapper, prop);
+  if (vtkPolyDataMapper::SafeDownCast(mapper) && shading)
   {
-    const Internals& my = *this->Shadows;
     rtw::Receiving receiving = rtw::Receiving::Direct;
-    if (my.Options.Masked && my.Translucent.count(prop) == 0)
+    if (my.Options.Masked && !shading->IsUnsampled)
     {
       receiving = my.Options.SamplesAPixel > 1 ? rtw::Receiving::Sampled : rtw::Receiving::Masked;
     }
     rtw::InjectReceiver({ vertexShader, geometryShader, fragmentShader }, my.Options.Shape,
-      receiving, my.DrawnByMappers.count(prop) > 0);
+      receiving, shading->DrawsItself);
   }
   return true;
 }
@@ -313,6 +324,10 @@ bool vtkAdaptiveShadowMapPass::PostReplaceShaderValues(std::string& vertexShader
 bool vtkAdaptiveShadowMapPass::SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper*,
   vtkProp* prop, vtkOpenGLVertexArrayObject*)
 {
+  if (!program->IsUniformUsed("rtwReceives"))
+  {
+    return true;
+  }
   this->Shadows->Uniforms.Set(program);
   vtkInformation* keys = prop ? prop->GetPropertyKeys() : nullptr;
   // The lines and points that a surface is drawn by have no side to be lit on.

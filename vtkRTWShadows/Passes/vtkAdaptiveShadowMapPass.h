@@ -220,6 +220,7 @@ private:
   rtw::LookupOptions MakeLookupOptions();
   void Bake(const vtkRenderState* s);
   void WarnOnce();
+  void WarnOfProps();
   void WarnOfMaskSource();
   void RenderLit(const vtkRenderState* s, vtkRenderPass* delegate);
   void PaintDebugView(vtkRenderer* renderer);
