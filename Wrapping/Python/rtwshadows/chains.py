@@ -219,6 +219,7 @@ class Graft:
 
     def __init__(self, renderer, steps):
         self.steps = steps
+        self.left_out = None  # what draws nothing meanwhile
         self._warned = False
         self._put(renderer)
 
@@ -229,6 +230,7 @@ class Graft:
         self._before = self._after = None
         known = self.replaced is None or isinstance(self.replaced, vtkRenderStepsPass) or any(
             _draws_opaque(item) for item in _flat(self.replaced))
+        self.left_out = None if known else self.replaced
         if not known and not self._warned:
             self._warned = True
             warnings.warn(
@@ -271,3 +273,6 @@ class Graft:
                 plain = vtkRenderStepsPass()  # what a pass needs to have something to work on
                 _copy_steps(self.steps, plain)
                 place.put(plain)
+        # They are others' again: ours are released, and a VTK 9.1 vtkDepthPeelingPass that has been
+        # released draws no more opaque props.
+        _copy_steps(vtkRenderStepsPass(), self.steps)

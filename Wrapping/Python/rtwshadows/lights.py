@@ -9,10 +9,10 @@ from vtkmodules.vtkRenderingCore import vtkLight
 
 LIGHTS = ("sun", "lamp", "camera-left")
 
-# With a sun of 0.8, what faces it is about as bright as under VTK's headlight of 1, and shadows
-# are a quarter as bright.
+# In sum VTK's headlight of 1: nothing burns out that didn't under it. A shadow is about a third as
+# bright as what is around it.
 _FILL = 0.3
-_INTENSITY = 0.8
+_INTENSITY = 0.7
 
 # From what is looked at towards the light, to the right, up and back to the eye.
 _TOWARDS_SUN = (-0.6, 1.0, 0.4)

@@ -174,10 +174,11 @@ def _call(obj, name, setter, value):
         try:
             if isinstance(value, str):
                 _set_by_word(obj, setter, value)
-            elif not outside:
+            else:
                 getattr(obj, "Set" + setter)(value)
         except TypeError as error:
-            raise TypeError(f"{name}={value!r}: {error}") from None
+            if not outside:  # which an integer's setter takes for another type
+                raise TypeError(f"{name}={value!r}: {error}") from None
         except OverflowError as error:
             outside = str(error)
         got = _get(obj, setter)

@@ -70,8 +70,8 @@ def _has_drawn(renderer):
 
 
 def _take_out(renderer, state):
-    _release(state.graft.steps, renderer)
     state.graft.remove(renderer)
+    _release(state.graft.steps, renderer)
 
 
 def _enable(renderer, managed, shadows, light):
@@ -84,7 +84,7 @@ def _enable(renderer, managed, shadows, light):
     steps = _module.vtkShadowRenderStepsPass()
     steps.SetShadowMapPass(shadows)
     state.graft = Graft(renderer, steps)
-    _release(state.graft.replaced, renderer)
+    _release(state.graft.left_out, renderer)
     state.managed = state.managed or managed
     if light is not None:
         if state.light is not None:
@@ -132,7 +132,8 @@ def enable_shadows(
         begins; enable shadows again to fit them to another scene. Lights that follow the camera,
         such as VTK's headlight, would wash shadows out: beside an added light their intensities
         are lowered to 0.3 in sum, until it is taken away. Where there is no other light at all, a
-        headlight of 0.3 is added with it. Lights of the scene stay as they are.
+        headlight of 0.3 is added with it. Lights of the scene stay as they are. What is made by
+        name or direction is white and has the intensity 0.7.
     properties: what else is to be set on the pass, in either spelling, enumerators as words:
         focus_on_view=True, FocusOnView=True, filter="bilinear".
 
