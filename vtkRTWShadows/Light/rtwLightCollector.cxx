@@ -5,6 +5,7 @@
 #include "vtkLightCollection.h"
 #include "vtkRenderer.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace rtw
@@ -74,8 +75,16 @@ LightCollection CollectLights(vtkRenderer* renderer)
     else
     {
       result.Shadowing.push_back(shadowing);
+      result.Sources.emplace_back(light);
     }
   }
   return result;
+}
+
+int FindLight(const LightCollection& lights, vtkLight* light)
+{
+  const auto& sources = lights.Sources;
+  const auto found = std::find(sources.begin(), sources.end(), light);
+  return light && found != sources.end() ? static_cast<int>(found - sources.begin()) : -1;
 }
 }

@@ -5,6 +5,9 @@
 
 #include "rtwLightFrame.h"
 
+#include "vtkLight.h"
+#include "vtkWeakPointer.h"
+
 #include <vector>
 
 class vtkRenderer;
@@ -14,6 +17,9 @@ namespace rtw
 struct LightCollection
 {
   std::vector<ShadowLight> Shadowing;
+  /// Whose they are, in that order: weak, because a light that is gone is none of them, even where
+  /// a new one has its address.
+  std::vector<vtkWeakPointer<vtkLight>> Sources;
   int Switched = 0;        ///< lights that are on
   int Skipped = 0;         ///< of those: black, or their shadows weigh nothing, or can't be seen (headlights)
   int Unsupported = 0;     ///< of those: point lights and spots as wide as one
@@ -21,6 +27,9 @@ struct LightCollection
 };
 
 LightCollection CollectLights(vtkRenderer* renderer);
+
+/// A light's number among those that need a map; -1 for null and for any other light.
+int FindLight(const LightCollection& lights, vtkLight* light);
 }
 
 #endif

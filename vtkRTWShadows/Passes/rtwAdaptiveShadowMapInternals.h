@@ -48,6 +48,7 @@ public:
   bool WarnedOfSource = false;
   bool WarnedOfMemoryBound = false;
   int WarnedOfDebugLight = -1; ///< which
+  vtkWeakPointer<vtkLight> WarnedOfNamedLight; ///< likewise
 
   bool Has(int light) const
   {

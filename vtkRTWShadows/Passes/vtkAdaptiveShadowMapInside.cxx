@@ -4,21 +4,41 @@
 
 #include "rtwAdaptiveShadowMapInternals.h"
 
+#include "vtkLight.h"
+
 #include <algorithm>
 #include <string>
 
-void vtkAdaptiveShadowMapPass::PaintDebugView(vtkRenderer* renderer)
+int vtkAdaptiveShadowMapPass::ChooseDebugLight()
 {
   Internals& my = *this->Shadows;
   const int last = this->GetNumberOfShadowLights() - 1;
+  if (this->NamedDebugLight)
+  {
+    const int named = this->GetShadowLightIndex(this->NamedDebugLight);
+    if (named < 0 && my.WarnedOfNamedLight != this->NamedDebugLight)
+    {
+      vtkWarningMacro("the vtkLight of SetDebugLight() casts no shadow in this renderer; viewing "
+        << std::min(this->DebugLight, last));
+    }
+    my.WarnedOfNamedLight = named < 0 ? this->NamedDebugLight.Get() : nullptr;
+    // Not a change of settings, for which a frame would be drawn anew.
+    this->DebugLight = named < 0 ? std::min(this->DebugLight, last) : named;
+  }
   if (this->DebugLight > last && my.WarnedOfDebugLight != this->DebugLight)
   {
     my.WarnedOfDebugLight = this->DebugLight;
     vtkWarningMacro("DebugLight " << this->DebugLight
                                   << " is more than the last light with shadows; viewing " << last);
   }
+  return std::min(this->DebugLight, last);
+}
+
+void vtkAdaptiveShadowMapPass::PaintDebugView(vtkRenderer* renderer)
+{
+  Internals& my = *this->Shadows;
   const bool painted = my.Pipeline.PaintDebugView(static_cast<rtw::DebugView>(this->DebugView),
-    std::min(this->DebugLight, last), my.Options,
+    this->ChooseDebugLight(), my.Options,
     [this, renderer] { this->DrawViewSamples(renderer); });
   if (!painted && !my.WarnedOfDebugShader)
   {

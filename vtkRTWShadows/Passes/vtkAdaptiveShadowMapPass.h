@@ -29,6 +29,7 @@
 
 class vtkAdaptiveShadowMapBakerPass;
 class vtkInformationIntegerKey;
+class vtkLight;
 class vtkMatrix4x4;
 class vtkProp;
 class vtkRenderer;
@@ -91,6 +92,35 @@ public:
   int GetNumberOfCastersCulled(int light);
   int GetNumberOfCastersDrawn(int light, int layer);
   int GetNumberOfCastersCulled(int light, int layer);
+  ///@}
+
+  /**
+   * A light's number among those with shadows in the last frame, which is how the methods of this
+   * class count them. -1 for one that casts none, of which there are no shadows, before the first
+   * frame, and for null. Lights are numbered in the renderer's order, so that the number may change
+   * from frame to frame. What takes a number takes a vtkLight as well, and says of one that casts
+   * no shadow what it says of a number that there isn't.
+   */
+  int GetShadowLightIndex(vtkLight* light);
+
+  ///@{
+  /**
+   * As the methods of those names do by number: see GetShadowLightIndex().
+   */
+  int GetNumberOfCastersDrawn(vtkLight* light);
+  int GetNumberOfCastersCulled(vtkLight* light);
+  int GetNumberOfCastersDrawn(vtkLight* light, int layer);
+  int GetNumberOfCastersCulled(vtkLight* light, int layer);
+  int GetNumberOfLightLayers(vtkLight* light);
+  bool GetLayerDepthRange(vtkLight* light, int layer, double range[2]);
+  double GetMaximumEffectiveResolution(vtkLight* light, int axis);
+  vtkImageData* GetShadowMask(vtkLight* light);
+  vtkImageData* GetShadowMapImage(vtkLight* light, int layer = 0);
+  vtkImageData* GetWarpImage(vtkLight* light, int layer = 0);
+  vtkImageData* GetImportanceImage(vtkLight* light, int layer = 0);
+  vtkImageData* GetAliasingErrorImage(vtkLight* light);
+  double GetPredictedError(vtkLight* light);
+  bool GetLightPlaneMatrix(vtkLight* light, int layer, vtkMatrix4x4* worldToPlane);
   ///@}
 
   /**
@@ -223,6 +253,7 @@ private:
   void WarnOfProps();
   void WarnOfMaskSource();
   void RenderLit(const vtkRenderState* s, vtkRenderPass* delegate);
+  int ChooseDebugLight();
   void PaintDebugView(vtkRenderer* renderer);
   void DrawCasters(vtkRenderer* renderer, int layer, const rtw::LightFrame& frame);
   void DrawViewSamples(vtkRenderer* renderer);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInspectableShadowMapPass.h"
 
+#include "vtkLight.h"
+
 vtkInspectableShadowMapPass::vtkInspectableShadowMapPass() = default;
 vtkInspectableShadowMapPass::~vtkInspectableShadowMapPass() = default;
 
@@ -31,9 +33,26 @@ void vtkInspectableShadowMapPass::SetDebugLight(int light)
       << this->DebugLight);
     return;
   }
-  if (this->DebugLight != light)
+  if (this->DebugLight != light || this->NamedDebugLight)
   {
     this->DebugLight = light;
+    this->NamedDebugLight = nullptr;
+    this->Modified();
+  }
+}
+
+void vtkInspectableShadowMapPass::SetDebugLight(vtkLight* light)
+{
+  if (!light)
+  {
+    vtkErrorMacro("SetDebugLight(null): expected a vtkLight, or a light's number among those with "
+                  "shadows; keeping "
+      << this->DebugLight);
+    return;
+  }
+  if (this->NamedDebugLight != light)
+  {
+    this->NamedDebugLight = light;
     this->Modified();
   }
 }
@@ -43,4 +62,5 @@ void vtkInspectableShadowMapPass::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "DebugView: " << this->DebugView << "\n";
   os << indent << "DebugLight: " << this->DebugLight << "\n";
+  os << indent << "NamedDebugLight: " << this->NamedDebugLight.Get() << "\n";
 }

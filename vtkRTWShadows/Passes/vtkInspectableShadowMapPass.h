@@ -13,8 +13,10 @@
 
 #include "vtkRTWShadowsModule.h" // for the export macro
 #include "vtkShadowMapPass.h"
+#include "vtkWeakPointer.h" // for the light that is looked at
 
 class vtkImageData;
+class vtkLight;
 
 class VTKRTWSHADOWS_EXPORT vtkInspectableShadowMapPass : public vtkShadowMapPass
 {
@@ -77,8 +79,14 @@ public:
    * Of which light DebugView is, by its number among those with shadows. What is negative is
    * refused with an error; where there are fewer lights it is the last one's, with a warning, when
    * it is first drawn. Default: 0.
+   *
+   * A vtkLight is looked up in each frame, so that it stays the one that is viewed whatever other
+   * lights come and go, and GetDebugLight() gives the number that it had when it was last viewed.
+   * It isn't kept alive. Where it casts no shadow that number's light is viewed, with a warning,
+   * once. Null is refused with an error.
    */
   virtual void SetDebugLight(int light);
+  virtual void SetDebugLight(vtkLight* light);
   vtkGetMacro(DebugLight, int);
   ///@}
 
@@ -123,6 +131,7 @@ protected:
 
   int DebugView = NONE;
   int DebugLight = 0;
+  vtkWeakPointer<vtkLight> NamedDebugLight; ///< null where a number was set
 
 private:
   vtkInspectableShadowMapPass(const vtkInspectableShadowMapPass&) = delete;

@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Properties of a VTK object by keyword: focus_on_view=True, FocusOnView=True, filter="pcf"."""
 
+import math
+import numbers
 import re
 
-from vtkmodules.vtkCommonCore import vtkObject
+from vtkmodules.util.misc import calldata_type
+from vtkmodules.vtkCommonCore import VTK_STRING, vtkObject
 
 
 def _key(name):
@@ -58,8 +61,147 @@ def _set_by_word(obj, name, word):
         ) from None
 
 
+class _Refusals:
+    """While one is open, what an object and its parts say against a value is collected, not
+    printed."""
+
+    def __init__(self, obj):
+        self._objects = [obj] + _parts(obj)
+        self.texts = []
+
+    def __enter__(self):
+        @calldata_type(VTK_STRING)
+        def note(_object, _event, text):
+            self.texts.append(text)
+
+        self._tags = [(one, one.AddObserver("ErrorEvent", note)) for one in self._objects]
+        return self
+
+    def __exit__(self, *_):
+        for one, tag in self._tags:
+            one.RemoveObserver(tag)
+
+
+_NOTHING = object()
+
+
+def _parts(obj):
+    """The objects to which those settings go that are another's."""
+    parts = [getattr(obj, "Get" + name)() for name in ("Warp", "Partition", "ShadowMapBakerPass")
+             if hasattr(obj, "Get" + name)]
+    return [part for part in parts if isinstance(part, vtkObject)]
+
+
+def _get(obj, setter):
+    try:
+        return getattr(obj, "Get" + setter)()
+    except (AttributeError, TypeError):
+        return _NOTHING
+
+
+def _is_same(value, got):
+    """Whether a getter gives what was set; of what can't be compared it is taken to."""
+    if isinstance(got, bool):
+        return not isinstance(value, (bool, int)) or bool(value) == got
+    if isinstance(got, (int, float)) and isinstance(value, numbers.Real):
+        return math.isclose(value, got, rel_tol=1e-6, abs_tol=1e-30)
+    if isinstance(got, tuple) and isinstance(value, (tuple, list)):
+        return len(value) == len(got) and all(map(_is_same, value, got))
+    return True
+
+
+def _is_nan(value):
+    if isinstance(value, (tuple, list)):
+        return any(map(_is_nan, value))
+    return isinstance(value, numbers.Real) and math.isnan(value)
+
+
+def _expectation(texts):
+    """What the C++ class says that it expects: "... expected a number from 0 to 1; keeping 2"."""
+    for text in texts:
+        match = re.search(r"expected (.*?)(?:; keeping|\s*$)", text, re.DOTALL)
+        if match:
+            return "expected " + match.group(1)
+    said = " ".join(" ".join(texts).split())
+    return re.sub(r"^ERROR: In .*?\): ", "", said)
+
+
+def _declared_range(obj, setter):
+    for part in [obj] + _parts(obj):
+        try:
+            low = getattr(part, f"Get{setter}MinValue")()
+            high = getattr(part, f"Get{setter}MaxValue")()
+        except AttributeError:
+            continue
+        return f"expected a number from {low:g} to {high:g}"
+    return ""
+
+
+def _tried_range(obj, setter):
+    """What becomes of very small and very large values, on an object that nobody uses."""
+    scratch = type(obj)()
+    whole = isinstance(_get(scratch, setter), int)
+    ends = []
+    for extreme in ((-2**31, 2**31 - 1) if whole else (-1e30, 1e30)):
+        with _Refusals(scratch) as refusals:
+            try:
+                getattr(scratch, "Set" + setter)(extreme)
+            except (TypeError, OverflowError, ValueError):
+                continue
+        if refusals.texts:
+            return _expectation(refusals.texts)
+        ends.append(_get(scratch, setter))
+    if len(ends) < 2:
+        with _Refusals(scratch) as refusals:
+            getattr(scratch, "Set" + setter)(0)
+        return _expectation(refusals.texts) if refusals.texts else "expected 0 or a larger number"
+    return f"expected a number from {ends[0]:g} to {ends[1]:g}"
+
+
+def _range(obj, setter, texts):
+    if texts:
+        return _expectation(texts)
+    if isinstance(_get(obj, setter), tuple):
+        return "expected finite numbers, within what the class documents"
+    return _declared_range(obj, setter) or _tried_range(obj, setter)
+
+
+def _call(obj, name, setter, value):
+    """Set a value; ValueError for one that is refused or would be taken for another."""
+    before = _get(obj, setter)
+    outside = _is_nan(value)
+    with _Refusals(obj) as refusals:
+        try:
+            if isinstance(value, str):
+                _set_by_word(obj, setter, value)
+            else:
+                getattr(obj, "Set" + setter)(value)
+        except TypeError as error:
+            if not outside:  # which an integer's setter takes for another type
+                raise TypeError(f"{name}={value!r}: {error}") from None
+        except OverflowError as error:
+            outside = str(error)
+        got = _get(obj, setter)
+        refused = outside or refusals.texts or (
+            not isinstance(value, str) and got is not _NOTHING and not _is_same(value, got))
+        if refused and before is not _NOTHING and got != before:
+            getattr(obj, "Set" + setter)(before)
+    if refused:
+        beyond = f" ({outside})" if isinstance(outside, str) else ""
+        raise ValueError(
+            f"{name}={value!r} is refused: {_range(obj, setter, refusals.texts)}{beyond}")
+    return before
+
+
 def set_properties(obj, properties):
-    """Call SetX(value) for each name; TypeError for a name that there is not, before any is set."""
+    """Call SetX(value) for each name, and see that the value is taken.
+
+    Names are in either spelling, enumerators may be words: focus_on_view=True, filter="pcf".
+
+    Raises TypeError for a name that there is not and for a value of another type, ValueError,
+    with the range, for one that is refused or would be clamped. Then nothing is set: what came
+    before it is set back.
+    """
     setters = {_key(name): name for name in _setters(obj)}
     for name in properties:
         if _key(name) not in setters:
@@ -67,12 +209,13 @@ def set_properties(obj, properties):
             raise TypeError(
                 f"{type(obj).__name__} has no property {name!r}; it has: {', '.join(known)}"
             )
-    for name, value in properties.items():
-        setter = setters[_key(name)]
-        if isinstance(value, str):
-            _set_by_word(obj, setter, value)
-            continue
-        try:
-            getattr(obj, "Set" + setter)(value)
-        except TypeError as error:
-            raise TypeError(f"{name}={value!r}: {error}") from None
+    done = []
+    try:
+        for name, value in properties.items():
+            setter = setters[_key(name)]
+            done.append((setter, _call(obj, name, setter, value)))
+    except (TypeError, ValueError):
+        for setter, before in reversed(done):
+            if before is not _NOTHING:
+                getattr(obj, "Set" + setter)(before)
+        raise
