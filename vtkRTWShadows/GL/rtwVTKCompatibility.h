@@ -5,6 +5,7 @@
 
 class vtkCompositeDataDisplayAttributes;
 class vtkMapper;
+class vtkRenderer;
 
 namespace rtw
 {
@@ -14,6 +15,8 @@ bool IsCompositeMeshMapper(vtkMapper* mapper);
 vtkCompositeDataDisplayAttributes* CompositeAttributesOf(vtkMapper* mapper);
 /// Whether a mapper draws one mesh, as it is; false for its subclasses, such as the imposters.
 bool IsMeshMapper(vtkMapper* mapper);
+/// Whether a renderer without depth peeling blends translucent props whatever their order: until 9.5 each does.
+bool BlendsInAnyOrder(vtkRenderer* renderer);
 }
 
 #endif
