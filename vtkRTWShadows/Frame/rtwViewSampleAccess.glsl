@@ -2,13 +2,24 @@
 // its tangent plane does under the pixels beside it.
 uniform sampler2D rtwSamples;
 uniform vec4 rtwRay;          // clip to view coordinates at distance 1, or in a parallel view: scale, offset
+uniform vec2 rtwShear;        // of an eye beside the camera: shift, or in a parallel view shift at distance 1
 uniform vec2 rtwParallelView; // in a parallel view depth to distance: scale, offset; the scale is 0 otherwise
 
 vec3 rtwViewPosition(vec2 clip, float a)
 {
   vec2 xy = clip * rtwRay.xy + rtwRay.zw;
-  return rtwParallelView.x != 0.0 ? vec3(xy, -(a * rtwParallelView.x + rtwParallelView.y))
-                                  : vec3(xy, -1.0) / a;
+  if (rtwParallelView.x != 0.0)
+  {
+    float distance = a * rtwParallelView.x + rtwParallelView.y;
+    return vec3(xy + rtwShear * distance, -distance);
+  }
+  return vec3(xy, -1.0) / a + vec3(rtwShear, 0.0);
+}
+
+// From a point to the eye, or in a parallel view towards it, one unit of distance.
+vec3 rtwToEye(vec3 here)
+{
+  return rtwParallelView.x != 0.0 ? vec3(-rtwShear, 1.0) : vec3(rtwShear, 0.0) - here;
 }
 
 struct SampledPlane

@@ -233,6 +233,7 @@ void ViewSampler::Bind(const Program& program) const
   const glm::dvec2 scale(1 / p[0][0], 1 / p[1][1]);
   const glm::dvec2 offset = this->Viewed.Parallel ? -glm::dvec2(p[3][0], p[3][1]) * scale
                                                   : glm::dvec2(p[2][0], p[2][1]) * scale;
+  const glm::dvec2 shear = glm::dvec2(this->Viewed.SeenFrom()) * (this->Viewed.Parallel ? -1.0 : 1.0);
   this->Current->Bind(0);
   program.Set("rtwSamples", 0);
   if (this->Many.GetId())
@@ -242,6 +243,7 @@ void ViewSampler::Bind(const Program& program) const
   }
   glUniform4f(program.Location("rtwRay"), float(scale.x), float(scale.y), float(offset.x),
     float(offset.y));
+  program.Set("rtwShear", float(shear.x), float(shear.y));
   const glm::dvec2 toDistance = SampleToDistance(this->Viewed);
   program.Set("rtwParallelView", float(toDistance.x), float(toDistance.y));
 }

@@ -29,7 +29,7 @@ LitSample rtwLoadTexel(ivec2 texel, vec4 focus)
   vec2 dy = rtwScreenStep(clip, above);
   float turn = dx.x * dy.y - dx.y * dy.x;
   float pixels = max(abs(turn), 1e-20);
-  vec3 toViewer = rtwParallelView.x != 0.0 ? vec3(0.0, 0.0, 1.0) : -here;
+  vec3 toViewer = rtwToEye(here);
   LitSample s;
   s.position = here;
   s.normal = normalize(cross(right, above));

@@ -27,8 +27,9 @@ MovingSample rtwLoadMovingSample(ivec2 pixel)
   vec2 away = s.yz * rtwParallelView.x;
   MovingSample m;
   m.here = rtwViewPosition((vec2(pixel) + 0.5) * step - 1.0, s.x);
-  m.right = parallel ? vec3(ray.x, 0.0, -away.x) : (vec3(ray.x, 0.0, 0.0) - m.here * s.y) / s.x;
-  m.above = parallel ? vec3(0.0, ray.y, -away.y) : (vec3(0.0, ray.y, 0.0) - m.here * s.z) / s.x;
+  vec3 back = rtwToEye(m.here);
+  m.right = parallel ? vec3(ray.x, 0.0, 0.0) - away.x * back : (vec3(ray.x, 0.0, 0.0) + back * s.y) / s.x;
+  m.above = parallel ? vec3(0.0, ray.y, 0.0) - away.y * back : (vec3(0.0, ray.y, 0.0) + back * s.z) / s.x;
   m.h = rtwViewToLight * vec4(m.here, 1.0);
   m.moves = mat2(rtwMovesOnLight(m.h, m.right), rtwMovesOnLight(m.h, m.above));
   m.seen = s.w > 0.0;

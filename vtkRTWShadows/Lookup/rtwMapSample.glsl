@@ -17,13 +17,12 @@ MapSample rtwLoadMapSample(ivec2 pixel)
 {
   MovingSample s = rtwLoadMovingSample(pixel);
   vec3 normal = normalize(cross(s.right, s.above));
-  bool parallel = rtwParallelView.x != 0.0;
   MapSample m;
   m.seen = s.seen;
   m.lit = s.lit;
   m.layer = rtwLayerAt(rtwFirstLayer, rtwParts, s.here, rtwBeam);
   vec4 focus = rtwFocus(m.layer);
-  m.facing = abs(dot(normal, parallel ? vec3(0.0, 0.0, 1.0) : normalize(s.here)));
+  m.facing = abs(dot(normal, normalize(rtwToEye(s.here))));
   m.q = rtwFocused(focus, s.h.xy / s.h.w);
   m.moves = mat2(s.moves[0] * focus.yw, s.moves[1] * focus.yw);
   return m;

@@ -104,6 +104,7 @@ struct ReceiverUniforms
   int OriginX = 0, OriginY = 0; ///< of the viewport
   glm::vec2 DepthToSample{ 1, 0 };
   glm::vec3 RayStep{ 0 };
+  glm::vec3 SeenFrom{ 0 };
   ReceiverLights Lights;
 
   void Set(vtkShaderProgram* program) const;

@@ -15,6 +15,7 @@ ReceiverUniforms ShadowPipeline::MakeUniforms(const PipelineOptions& options) co
   uniforms.OriginX = this->Viewed.OriginX;
   uniforms.OriginY = this->Viewed.OriginY;
   uniforms.RayStep = glm::vec3(ViewSampler::RayStep(this->Viewed));
+  uniforms.SeenFrom = glm::vec3(this->Viewed.SeenFrom());
   uniforms.DepthToSample = glm::vec2(ViewSampler::DepthToSample(this->Viewed));
   if (options.SamplesAPixel > 1)
   {

@@ -133,6 +133,7 @@ void vtkAdaptiveShadowMapPass::Bake(const vtkRenderState* s)
   {
     return;
   }
+  this->UseEye(renderer);
   Internals& my = *this->Shadows;
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   my.UseWarp(this->Warp);
@@ -341,6 +342,7 @@ vtkMTimeType vtkAdaptiveShadowMapPass::GetShaderStageMTime()
 
 void vtkAdaptiveShadowMapPass::ReleaseGraphicsResources(vtkWindow* w)
 {
+  this->DropRightEye(w);
   Internals& my = *this->Shadows;
   if (auto* window = vtkOpenGLRenderWindow::SafeDownCast(w))
   {

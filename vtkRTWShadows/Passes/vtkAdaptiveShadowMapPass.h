@@ -219,6 +219,9 @@ private:
 
   rtw::LookupOptions MakeLookupOptions();
   void Bake(const vtkRenderState* s);
+  void UseEye(vtkRenderer* renderer);
+  void UseEye(bool right);
+  void DropRightEye(vtkWindow* w);
   void WarnOnce();
   void WarnOfMaskSource();
   void RenderLit(const vtkRenderState* s, vtkRenderPass* delegate);
@@ -226,7 +229,8 @@ private:
   void DrawCasters(vtkRenderer* renderer, int layer, const rtw::LightFrame& frame);
   void DrawViewSamples(vtkRenderer* renderer);
 
-  std::unique_ptr<Internals> Shadows;
+  std::unique_ptr<Internals> Shadows;  ///< of the eye that is drawn, or was drawn last
+  std::unique_ptr<Internals> OtherEye; ///< while the window is in stereo
   vtkTimeStamp StageTime;
 };
 

@@ -3,6 +3,7 @@
 
 #include "rtwRendererFlags.h"
 #include "rtwSelection.h"
+#include "rtwView.h"
 
 #include "vtkRTWShadowMapPass.h"
 #include "vtkShadowedStepPass.h"
@@ -78,6 +79,7 @@ void vtkShadowRenderStepsPass::Render(const vtkRenderState* s)
   {
     return;
   }
+  rtw::FollowStereo(s->GetRenderer());
   this->Flags->Begin(s);
   vtkRenderPass* opaqueStep = this->MakeOpaqueStep(s);
   vtkRenderPass* translucentStep = this->MakeTranslucentStep(s);
