@@ -16,11 +16,12 @@ namespace
 constexpr double FarAway = 3;
 constexpr double BeforeRange = 1e-3; // of its depth view coordinates begin, so that all is beyond
 
-// An explicit projection may be anything.
+// An explicit projection may be anything, and an eye of a stereo pair looks from beside the camera.
 bool IsPlain(const View& view)
 {
   const glm::dmat4& p = view.ViewToClip;
-  return p[0][2] == 0 && p[1][2] == 0 && p[0][3] == 0 && p[1][3] == 0 && p[2][0] * p[3][0] == 0 &&
+  const bool fromCamera = view.Parallel || (p[3][0] == 0 && p[3][1] == 0);
+  return fromCamera && p[0][2] == 0 && p[1][2] == 0 && p[0][3] == 0 && p[1][3] == 0 &&
     p[2][3] == (view.Parallel ? 0 : -1) && p[3][3] == (view.Parallel ? 1 : 0) &&
     p[2][2] < 0 && (view.Parallel ? p[2][0] == 0 && p[2][1] == 0 : p[3][2] < 0);
 }
@@ -121,9 +122,16 @@ glm::dvec4 RayOf(const View& view)
 {
   const glm::dmat4& p = view.ViewToClip;
   const glm::dvec2 scale(1 / p[0][0], 1 / p[1][1]);
-  const glm::dvec2 offset = view.Parallel ? -glm::dvec2(p[3][0], p[3][1]) * scale
-                                          : glm::dvec2(p[2][0], p[2][1]) * scale;
+  const glm::dvec2 offset = view.Parallel
+    ? -(glm::dvec2(p[3]) + PlaceOf(view).x * glm::dvec2(p[2])) * scale
+    : glm::dvec2(p[2]) * scale;
   return glm::dvec4(scale, offset) * (view.Framed && !view.Parallel ? view.Range.y : 1.0);
+}
+
+glm::dvec2 ShearOf(const View& view)
+{
+  const glm::dvec2 perDistance(view.SeenFrom());
+  return view.Framed ? glm::dvec2(0) : view.Parallel ? PlaceOf(view).y * perDistance : perDistance;
 }
 
 glm::dvec4 PlaceOf(const View& view)

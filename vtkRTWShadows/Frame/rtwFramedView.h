@@ -22,6 +22,8 @@ glm::dvec2 DepthToSample(const View& view);
 glm::dvec2 OwnDepthToSample(const View& view);
 /// From clip to view coordinates, before the division: scale and offset.
 glm::dvec4 RayOf(const View& view);
+/// What a sample a adds to x and y of that, times a: of an eye beside the camera.
+glm::dvec2 ShearOf(const View& view);
 /// From a sample a to view coordinates: z is (x + y a) / (z + w a), and all are divided by the latter.
 glm::dvec4 PlaceOf(const View& view);
 /// From pixel to pixel in view coordinates at distance 1 (anywhere in a parallel view), and what a

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rtwView.h"
 
+#include "rtwOpenGL.h"
+
 #include "vtkCamera.h"
 #include "vtkMatrix4x4.h"
-#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkOpenGLState.h"
 #include "vtkRenderState.h"
-#include "vtkRenderer.h"
+#include "vtkRenderWindow.h"
 
 #include <cmath>
 
@@ -63,6 +66,17 @@ void FromGlm(const glm::dmat4& from, vtkMatrix4x4* to)
   }
 }
 
+glm::dvec3 View::SeenFrom() const
+{
+  if (this->Framed)
+  {
+    return glm::dvec3(0, 0, this->Parallel ? 1 : this->Begin);
+  }
+  const glm::dmat4& p = this->ViewToClip;
+  const glm::dvec2 shear = glm::dvec2(p[this->Parallel ? 2 : 3]) / glm::dvec2(p[0][0], p[1][1]);
+  return glm::dvec3(-shear, this->Parallel ? 1 : 0);
+}
+
 bool View::IsUsable() const
 {
   if (this->Width < 1 || this->Height < 1)
@@ -83,29 +97,62 @@ bool View::IsUsable() const
   return true;
 }
 
+namespace
+{
+// A camera has no setter of that: VTK's cameras find out where they draw themselves.
+class StereoCamera : public vtkCamera
+{
+public:
+  static bool Set(vtkCamera* camera, bool stereo)
+  {
+    auto& known = camera->*(&StereoCamera::Stereo);
+    const bool changed = (known != 0) != stereo;
+    known = stereo ? 1 : 0;
+    return changed;
+  }
+};
+}
+
+void FollowStereo(vtkRenderer* renderer)
+{
+  vtkRenderWindow* window = renderer->GetRenderWindow();
+  vtkCamera* camera = renderer->GetActiveCamera();
+  if (window && StereoCamera::Set(camera, window->GetStereoRender() != 0))
+  {
+    // What mappers draw with is kept as long as the camera stands still.
+    camera->Modified();
+  }
+}
+
+bool IsRightEye(vtkRenderer* renderer)
+{
+  vtkRenderWindow* window = renderer->GetRenderWindow();
+  return window && window->GetStereoRender() && !renderer->GetActiveCamera()->GetLeftEye();
+}
+
 View ViewOf(const vtkRenderState* state)
 {
   vtkRenderer* renderer = state->GetRenderer();
   vtkCamera* camera = renderer->GetActiveCamera();
   View view;
-  renderer->GetTiledSizeAndOrigin(&view.Width, &view.Height, &view.OriginX, &view.OriginY);
-  if (auto* target = vtkOpenGLFramebufferObject::SafeDownCast(state->GetFrameBuffer()))
-  {
-    int size[2];
-    target->GetLastSize(size);
-    view.Width = size[0];
-    view.Height = size[1];
-    view.OriginX = view.OriginY = 0;
-  }
+  // A pass around ours may draw the renderer's viewport elsewhere than in the window, and not say so in the state.
+  int viewport[4];
+  static_cast<vtkOpenGLRenderer*>(renderer)->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+  view.OriginX = viewport[0];
+  view.OriginY = viewport[1];
+  view.Width = viewport[2];
+  view.Height = viewport[3];
   view.WorldToView = ToGlm(camera->GetModelViewTransformMatrix());
   view.ViewToWorld = glm::inverse(view.WorldToView);
   view.ViewToClip =
     ToGlm(camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1, 1));
   view.ClipToView = glm::inverse(view.ViewToClip);
   view.DepthRow = { view.ViewToClip[2][2], view.ViewToClip[3][2] };
-  view.Origin = view.Eye = glm::dvec3(view.ViewToWorld[3]);
+  view.Origin = glm::dvec3(view.ViewToWorld[3]);
   view.Forward = glm::normalize(-glm::dvec3(view.ViewToWorld[2]));
   view.Parallel = camera->GetParallelProjection() != 0;
+  view.Eye = glm::dvec3(
+    view.ViewToWorld * glm::dvec4(view.Parallel ? glm::dvec3(0) : view.SeenFrom(), 1));
   return view;
 }
 }

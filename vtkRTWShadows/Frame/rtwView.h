@@ -10,6 +10,7 @@
 
 class vtkMatrix4x4;
 class vtkRenderState;
+class vtkRenderer;
 
 namespace rtw
 {
@@ -32,6 +33,9 @@ struct View
   int Width = 0;
   int Height = 0;
 
+  /// Where the eye is in view coordinates: beside their origin, in stereo. In a parallel view the way towards it, one
+  /// unit of distance long.
+  glm::dvec3 SeenFrom() const;
   bool IsUsable() const; ///< false for an empty viewport or a camera that is not a number
   /// How far the origin is from an eye.
   double BeyondEye() const { return this->Parallel ? 0 : this->Begin; }
@@ -45,7 +49,12 @@ bool Resembles(const View& view, const View& other, double sceneSize);
 /// VTK's row-major matrix as GLM's.
 glm::dmat4 ToGlm(vtkMatrix4x4* matrix);
 void FromGlm(const glm::dmat4& from, vtkMatrix4x4* to);
-/// Of the frame that a render state is for: in its framebuffer, where it has one.
+/// Lets a renderer's camera know whether its window draws in stereo, as only VTK's own way to draw does, but no
+/// vtkCameraPass. To be called before anything asks the camera for its projection.
+void FollowStereo(vtkRenderer* renderer);
+/// Whether that camera now stands for the second eye of a pair.
+bool IsRightEye(vtkRenderer* renderer);
+/// Of the frame that a render state is for, in the viewport that is set.
 View ViewOf(const vtkRenderState* state);
 }
 

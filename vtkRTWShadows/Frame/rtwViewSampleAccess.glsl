@@ -2,6 +2,7 @@
 // its tangent plane does under the pixels beside it.
 uniform sampler2D rtwSamples;
 uniform vec4 rtwRay;    // clip to view coordinates, before the division: scale, offset
+uniform vec2 rtwShear;  // what a sample adds to x and y: of an eye beside the camera, in stereo
 uniform vec4 rtwOfSample;  // a sample to view coordinates: z is (x + y a) / (z + w a), and all are divided by the latter
 uniform vec4 rtwViewer; // in view coordinates: the eye and 1, or the direction to it and 0
 uniform float rtwViewBegin; // of view coordinates: distance from the camera along the view
@@ -13,7 +14,7 @@ float rtwDivisor(float a)
 
 vec3 rtwViewPosition(vec2 clip, float a)
 {
-  return vec3(clip * rtwRay.xy + rtwRay.zw, rtwOfSample.x + rtwOfSample.y * a) / rtwDivisor(a);
+  return vec3(clip * rtwRay.xy + rtwRay.zw + rtwShear * a, rtwOfSample.x + rtwOfSample.y * a) / rtwDivisor(a);
 }
 
 vec3 rtwToViewer(vec3 p)

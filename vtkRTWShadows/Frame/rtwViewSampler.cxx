@@ -221,9 +221,11 @@ void ViewSampler::Bind(const Program& program) const
   const glm::vec4 ray(RayOf(this->Viewed)), place(PlaceOf(this->Viewed));
   glUniform4f(program.Location("rtwRay"), ray.x, ray.y, ray.z, ray.w);
   glUniform4f(program.Location("rtwOfSample"), place.x, place.y, place.z, place.w);
-  const bool parallel = this->Viewed.Parallel;
-  glUniform4f(program.Location("rtwViewer"), 0.f, 0.f,
-    parallel ? 1.f : float(this->Viewed.BeyondEye()), parallel ? 0.f : 1.f);
+  const glm::vec2 shear(ShearOf(this->Viewed));
+  program.Set("rtwShear", shear.x, shear.y);
+  const glm::vec3 from(this->Viewed.SeenFrom());
+  glUniform4f(
+    program.Location("rtwViewer"), from.x, from.y, from.z, this->Viewed.Parallel ? 0.f : 1.f);
   program.Set("rtwViewBegin", float(this->Viewed.Begin));
 }
 

@@ -3,6 +3,7 @@
 
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkMapper.h"
+#include "vtkRenderer.h"
 #include "vtkVersionMacros.h"
 
 #if VTK_MAJOR_VERSION > 9 || (VTK_MAJOR_VERSION == 9 && VTK_MINOR_VERSION >= 3)
@@ -57,5 +58,13 @@ bool IsMeshMapper(vtkMapper* mapper)
 {
   return IsOneOf(mapper,
     { "vtkOpenGLPolyDataMapper", "vtkOpenGLPolyDataMapper2", "vtkOpenGLLowMemoryPolyDataMapper" });
+}
+bool BlendsInAnyOrder([[maybe_unused]] vtkRenderer* renderer)
+{
+#if VTK_MAJOR_VERSION > 9 || (VTK_MAJOR_VERSION == 9 && VTK_MINOR_VERSION >= 5)
+  return renderer->GetUseOIT();
+#else
+  return true;
+#endif
 }
 }

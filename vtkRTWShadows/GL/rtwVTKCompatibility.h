@@ -8,6 +8,7 @@
 class vtkCompositeDataDisplayAttributes;
 class vtkMapper;
 class vtkObject;
+class vtkRenderer;
 
 namespace rtw
 {
@@ -19,6 +20,8 @@ vtkCompositeDataDisplayAttributes* CompositeAttributesOf(vtkMapper* mapper);
 bool IsMeshMapper(vtkMapper* mapper);
 /// Its class and address, and the name that somebody gave it, where VTK has such names (from 9.2 on).
 std::string NameOf(vtkObject* object);
+/// Whether a renderer without depth peeling blends translucent props whatever their order: until 9.5 each does.
+bool BlendsInAnyOrder(vtkRenderer* renderer);
 }
 
 #endif

@@ -26,8 +26,8 @@ MovingSample rtwLoadMovingSample(ivec2 pixel)
   float divisor = rtwDivisor(s.x);
   MovingSample m;
   m.here = rtwViewPosition((vec2(pixel) + 0.5) * step - 1.0, s.x);
-  m.right = (vec3(ray.x, 0.0, rtwOfSample.y * s.y) - m.here * (rtwOfSample.w * s.y)) / divisor;
-  m.above = (vec3(0.0, ray.y, rtwOfSample.y * s.z) - m.here * (rtwOfSample.w * s.z)) / divisor;
+  m.right = (vec3(ray.x + rtwShear.x * s.y, rtwShear.y * s.y, rtwOfSample.y * s.y) - m.here * (rtwOfSample.w * s.y)) / divisor;
+  m.above = (vec3(rtwShear.x * s.z, ray.y + rtwShear.y * s.z, rtwOfSample.y * s.z) - m.here * (rtwOfSample.w * s.z)) / divisor;
   m.h = rtwViewToLight * vec4(m.here, 1.0);
   m.moves = mat2(rtwMovesOnLight(m.h, m.right), rtwMovesOnLight(m.h, m.above));
   m.seen = s.w > 0.0;

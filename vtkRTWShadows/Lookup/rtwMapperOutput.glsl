@@ -3,6 +3,7 @@
 // To be called by all fragments.
 uniform vec2 rtwOwnDepthToSample; // scale and offset
 uniform vec3 rtwRayStep;       // from pixel to pixel in view coordinates at distance 1; what a sample changes by with 1/distance, or with z
+uniform vec3 rtwSeenFrom;      // a place in VTK's view coordinates, or in a parallel view a direction
 
 vec4 rtwGeometryOutput(float depth, vec3 p, vec3 n)
 {
@@ -14,7 +15,7 @@ vec4 rtwGeometryOutput(float depth, vec3 p, vec3 n)
     if (n != vec3(0.0))
     {
       // Of the tangent plane: a difference of two points on a sphere is a chord's.
-      slope = n.xy * rtwRayStep.xy * rtwRayStep.z / (perspective ? dot(n, p) : n.z);
+      slope = n.xy * rtwRayStep.xy * rtwRayStep.z / (perspective ? dot(n, p - rtwSeenFrom) : dot(n, rtwSeenFrom));
     }
     return vec4(a, slope, float(rtwReceives));
   }

@@ -301,6 +301,7 @@ void ReceiverUniforms::Set(vtkShaderProgram* program) const
     program->SetUniform2f("rtwOwnDepthToSample", depthToSample);
     const float rayStep[] = { this->RayStep.x, this->RayStep.y, this->RayStep.z };
     program->SetUniform3f("rtwRayStep", rayStep);
+    program->SetUniform3f("rtwSeenFrom", &this->SeenFrom.x);
   }
   if (program->IsUniformUsed("rtwFramed"))
   {

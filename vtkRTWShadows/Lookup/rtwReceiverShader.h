@@ -109,6 +109,7 @@ struct ReceiverUniforms
   glm::vec4 Ray{ 0 }, OfSample{ 0 }, ToClip{ 0 };
   glm::vec2 DepthToSample{ 1, 0 }, OwnDepthToSample{ 1, 0 };
   glm::vec3 RayStep{ 0 };
+  glm::vec3 SeenFrom{ 0 };
   ///@}
   ReceiverLights Lights;
 

@@ -20,9 +20,33 @@
 #include <map>
 #include <vector>
 
-class vtkAdaptiveShadowMapPass::Internals
+namespace rtw
+{
+/// What has been said once.
+struct Warnings
+{
+  bool WarnedOfContext = false;
+  bool WarnedOfPointLights = false;
+  bool WarnedOfBrokenLights = false;
+  bool WarnedOfResolution = false;
+  bool WarnedOfUnits = false;
+  bool WarnedOfFilterRadius = false;
+  bool WarnedOfDebugShader = false;
+  bool WarnedOfSource = false;
+  bool WarnedOfMemoryBound = false;
+  int WarnedOfDebugLight = -1; ///< which
+  vtkWeakPointer<vtkLight> WarnedOfNamedLight; ///< likewise
+};
+}
+
+/// Of one eye: a still pair is recognised like any still frame, since each eye has what it drew last.
+class vtkAdaptiveShadowMapPass::Internals : public rtw::Warnings
 {
 public:
+  Internals() = default;
+  /// For the right eye, beside the left.
+  explicit Internals(const Internals* left);
+  const bool RightEye = false;
   rtw::ShadowPipeline Pipeline;
   rtw::PipelineOptions Options;
   rtw::ReceiverUniforms Uniforms;
@@ -38,17 +62,6 @@ public:
   std::map<vtkProp*, vtkWeakPointer<vtkProp>> Refused;
   bool WasMasked = false;
   bool AwaitsDebugView = false; ///< of what is drawn next, the first since the bake
-  bool WarnedOfContext = false;
-  bool WarnedOfPointLights = false;
-  bool WarnedOfBrokenLights = false;
-  bool WarnedOfResolution = false;
-  bool WarnedOfUnits = false;
-  bool WarnedOfFilterRadius = false;
-  bool WarnedOfDebugShader = false;
-  bool WarnedOfSource = false;
-  bool WarnedOfMemoryBound = false;
-  int WarnedOfDebugLight = -1; ///< which
-  vtkWeakPointer<vtkLight> WarnedOfNamedLight; ///< likewise
 
   bool Has(int light) const
   {

@@ -16,7 +16,21 @@ ShadowPipeline::ShadowPipeline()
   : Warp(std::make_unique<IdentityWarpStage>())
   , Fallback(std::make_unique<IdentityWarpStage>())
   , Partition(std::make_unique<WholeViewStage>())
+  , SharedStore(std::make_shared<GeometryStore>())
+  , Store(*this->SharedStore)
 {
+}
+
+ShadowPipeline::ShadowPipeline(const ShadowPipeline* main)
+  : Warp(std::make_unique<IdentityWarpStage>())
+  , Fallback(std::make_unique<IdentityWarpStage>())
+  , Partition(std::make_unique<WholeViewStage>())
+  , Source(main->Source)
+  , SharedStore(main->SharedStore)
+  , Store(*this->SharedStore)
+  , OwnsShared(false)
+{
+  this->Timers.SetEnabled(main->Timers.GetEnabled());
 }
 
 ShadowPipeline::~ShadowPipeline() = default;
@@ -79,14 +93,18 @@ WarpShape ShadowPipeline::GetShape() const
   return (this->OwnDrawing ? this->Warp : this->Fallback)->GetShape();
 }
 
+bool ShadowPipeline::IsOf(vtkOpenGLRenderWindow* window) const
+{
+  return this->Window == window && this->ContextTime == window->GetContextCreationTime();
+}
+
 bool ShadowPipeline::SetContext(vtkOpenGLRenderWindow* window)
 {
   if (!window)
   {
     return false;
   }
-  const std::uint64_t time = window->GetContextCreationTime();
-  const bool same = this->Window == window && this->ContextTime == time;
+  const bool same = this->IsOf(window);
   if (same && !this->Stale)
   {
     return true;
@@ -97,7 +115,7 @@ bool ShadowPipeline::SetContext(vtkOpenGLRenderWindow* window)
   }
   this->Stale = false;
   this->Window = window;
-  this->ContextTime = time;
+  this->ContextTime = window->GetContextCreationTime();
   this->LastSignature = 0;
   this->Can = Capabilities::Query();
   this->OwnDrawing = this->Build();
@@ -335,12 +353,15 @@ glm::dvec2 ShadowPipeline::ReadMaximumEffectiveResolution(int layer) const
 void ShadowPipeline::Abandon()
 {
   this->Warp->Abandon();
-  if (this->Source)
+  if (this->Source && this->OwnsShared)
   {
     this->Source->Abandon();
   }
   this->Partition->Abandon();
-  this->Store.Abandon();
+  if (this->OwnsShared)
+  {
+    this->Store.Abandon();
+  }
   this->Last.Abandon();
   this->Turns.Abandon();
   this->Splits.Abandon();
@@ -369,12 +390,15 @@ void ShadowPipeline::Release(vtkOpenGLRenderWindow* window)
   }
   window->MakeCurrent();
   this->Warp->Release();
-  if (this->Source)
+  if (this->Source && this->OwnsShared)
   {
     this->Source->Release();
   }
   this->Partition->Release();
-  this->Store.Release();
+  if (this->OwnsShared)
+  {
+    this->Store.Release();
+  }
   this->Last.Release();
   this->Turns.Release();
   this->Splits.Release();

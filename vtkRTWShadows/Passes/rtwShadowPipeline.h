@@ -71,6 +71,9 @@ class ShadowPipeline
 {
 public:
   ShadowPipeline();
+  /// For another view of what `main` draws in the same context: the two share the scene's meshes and the mask source,
+  /// which stay `main`'s. It is to go before `main` releases them, and before that draws in another context.
+  explicit ShadowPipeline(const ShadowPipeline* main);
   ~ShadowPipeline();
   ShadowPipeline(const ShadowPipeline&) = delete;
   ShadowPipeline& operator=(const ShadowPipeline&) = delete;
@@ -86,6 +89,8 @@ public:
   const std::string& GetSourceProblem() const { return this->SourceProblem; }
   /// Whether a frame since the last call asked too much of the source.
   bool TakeIncomplete();
+  /// Whether it draws in the window's context.
+  bool IsOf(vtkOpenGLRenderWindow* window) const;
   /// Takes note of the window's context; all that belonged to another is forgotten. False where
   /// nothing can be drawn.
   bool SetContext(vtkOpenGLRenderWindow* window);
@@ -239,12 +244,14 @@ private:
   std::string Problem;
   std::unique_ptr<WarpStage> Warp, Fallback;
   std::unique_ptr<PartitionStage> Partition;
-  std::unique_ptr<MaskSource> Source; ///< none where maps fill the mask
+  std::shared_ptr<MaskSource> Source; ///< none where maps fill the mask
   std::string SourceProblem;
   bool MaskedBySource = false;
   bool Incomplete = false;
   bool HasMaps = false; ///< of the last frame
-  GeometryStore Store;
+  std::shared_ptr<GeometryStore> SharedStore;
+  GeometryStore& Store;
+  bool OwnsShared = true; ///< the store and the mask source
   ViewSampler Sampler;
   LastFrame Last;
   bool Resampled = false; ///< whether the analysis looks at the last frame

@@ -152,7 +152,7 @@ void ShadowPipeline::Draw(const FrameScene& scene, const std::vector<ShadowLight
     this->Table.GetMemory() + this->Sampler.GetMemory() + this->Masking.GetMask().GetMemory() +
     this->Casters.GetMemory() + this->Images.GetMemory() + this->Focus.GetMemory() +
     this->Deepest.GetMemory() +
-    (this->Source ? this->Source->GetMemory() : 0));
+    (this->Source && this->OwnsShared ? this->Source->GetMemory() : 0));
 }
 
 // From view samples to the mask.

@@ -3,6 +3,7 @@
 
 #include "rtwAdaptiveShadowMapInternals.h"
 #include "rtwMapperDrawing.h"
+#include "rtwSelection.h"
 #include "rtwVTKCompatibility.h"
 
 #include "vtkActor.h"
@@ -138,6 +139,12 @@ rtw::LookupOptions vtkAdaptiveShadowMapPass::MakeLookupOptions()
 void vtkAdaptiveShadowMapPass::Bake(const vtkRenderState* s)
 {
   vtkRenderer* renderer = s->GetRenderer();
+  // Nobody sees that frame, and its window has no multisampling: the picture's shadows stay as they are.
+  if (rtw::IsSelecting(renderer))
+  {
+    return;
+  }
+  this->UseEye(renderer);
   Internals& my = *this->Shadows;
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   my.UseWarp(this->Warp);
@@ -235,6 +242,10 @@ void vtkAdaptiveShadowMapPass::DrawViewSamples(vtkRenderer* renderer)
 void vtkAdaptiveShadowMapPass::Render(const vtkRenderState* s)
 {
   this->NumberOfRenderedProps = 0;
+  if (rtw::RenderSelection(s))
+  {
+    return;
+  }
   if (!this->OpaqueSequence)
   {
     vtkWarningMacro("has no OpaqueSequence and renders nothing; set one");
@@ -274,9 +285,9 @@ void vtkAdaptiveShadowMapPass::RenderLit(const vtkRenderState* s, vtkRenderPass*
     my.WarnedOfUnits = true;
     vtkWarningMacro("draws without shadows: no three texture units are free; use fewer textures at a time");
   }
-  // Any other pass may leave props out, and then there would be holes.
-  const bool isOpaque =
-    delegate == my.DefaultSequence || !std::strcmp(delegate->GetClassName(), "vtkOpaquePass");
+  // Any other pass may leave props out, and then there would be holes; so would samples of another frame make.
+  const bool isOpaque = !rtw::IsSelecting(s->GetRenderer()) &&
+    (delegate == my.DefaultSequence || !std::strcmp(delegate->GetClassName(), "vtkOpaquePass"));
   if (isOpaque)
   {
     my.Pipeline.PrimeDepth(my.Scene, my.Options);
@@ -346,6 +357,7 @@ vtkMTimeType vtkAdaptiveShadowMapPass::GetShaderStageMTime()
 
 void vtkAdaptiveShadowMapPass::ReleaseGraphicsResources(vtkWindow* w)
 {
+  this->DropRightEye(w);
   Internals& my = *this->Shadows;
   if (auto* window = vtkOpenGLRenderWindow::SafeDownCast(w))
   {

@@ -249,6 +249,9 @@ private:
 
   rtw::LookupOptions MakeLookupOptions();
   void Bake(const vtkRenderState* s);
+  void UseEye(vtkRenderer* renderer);
+  void UseEye(bool right);
+  void DropRightEye(vtkWindow* w);
   void WarnOnce();
   void WarnOfProps();
   void WarnOfMaskSource();
@@ -258,7 +261,8 @@ private:
   void DrawCasters(vtkRenderer* renderer, int layer, const rtw::LightFrame& frame);
   void DrawViewSamples(vtkRenderer* renderer);
 
-  std::unique_ptr<Internals> Shadows;
+  std::unique_ptr<Internals> Shadows;  ///< of the eye that is drawn, or was drawn last
+  std::unique_ptr<Internals> OtherEye; ///< while the window is in stereo
   vtkTimeStamp StageTime;
 };
 

@@ -53,6 +53,7 @@ vtkShadowMapWarp* vtkAdaptiveShadowMapPass::GetWarp()
 
 void vtkAdaptiveShadowMapPass::SetMaskSource(std::unique_ptr<rtw::MaskSource> source)
 {
+  this->DropRightEye(this->Shadows->Window);
   this->Shadows->Pipeline.SetMaskSource(std::move(source));
   this->Modified();
 }
@@ -130,7 +131,8 @@ bool vtkAdaptiveShadowMapPass::GetLayerDepthRange(int light, int layer, double r
 
 vtkTypeInt64 vtkAdaptiveShadowMapPass::GetShadowMemory()
 {
-  return this->Shadows->Pipeline.GetStatistics().ShadowMemory;
+  return this->Shadows->Pipeline.GetStatistics().ShadowMemory +
+    (this->OtherEye ? this->OtherEye->Pipeline.GetStatistics().ShadowMemory : 0);
 }
 
 double vtkAdaptiveShadowMapPass::GetMaximumEffectiveResolution(int light, int axis)
@@ -151,6 +153,10 @@ double vtkAdaptiveShadowMapPass::GetMaximumEffectiveResolution(int light, int ax
 void vtkAdaptiveShadowMapPass::SetTimeStages(bool time)
 {
   this->Shadows->Pipeline.GetTimers().SetEnabled(time);
+  if (this->OtherEye)
+  {
+    this->OtherEye->Pipeline.GetTimers().SetEnabled(time);
+  }
 }
 
 bool vtkAdaptiveShadowMapPass::GetTimeStages()

@@ -1,25 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowRenderStepsPass.h"
 
+#include "rtwRendererFlags.h"
+#include "rtwSelection.h"
+#include "rtwView.h"
+
 #include "vtkRTWShadowMapPass.h"
 #include "vtkShadowedStepPass.h"
 
-#include "vtkDualDepthPeelingPass.h"
 #include "vtkObjectFactory.h"
+#include "vtkRenderPassCollection.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
+#include "vtkSequencePass.h"
 #include "vtkShadowMapBakerPass.h"
-#include "vtkTranslucentPass.h"
-
-#include <cstring>
 
 vtkStandardNewMacro(vtkShadowRenderStepsPass);
 
 vtkShadowRenderStepsPass::vtkShadowRenderStepsPass()
   : ShadowMapPass(vtkSmartPointer<vtkRTWShadowMapPass>::New())
+  , Flags(new rtw::RendererFlags)
 {
-  vtkNew<vtkTranslucentPass> peeled;
-  this->DepthPeeling->SetTranslucentPass(peeled);
+  vtkNew<vtkRenderPassCollection> passes;
+  this->AfterOpaque->SetPasses(passes);
 }
 
 vtkShadowRenderStepsPass::~vtkShadowRenderStepsPass() = default;
@@ -38,39 +41,60 @@ vtkShadowMapPass* vtkShadowRenderStepsPass::GetShadowMapPass()
   return this->ShadowMapPass;
 }
 
-vtkRenderPass* vtkShadowRenderStepsPass::ChooseTranslucentPass(const vtkRenderState* s)
+// Null for none.
+vtkRenderPass* vtkShadowRenderStepsPass::MakeOpaqueStep(const vtkRenderState* s)
 {
-  vtkRenderer* renderer = s->GetRenderer();
-  const bool replaced = !this->TranslucentPass ||
-    std::strcmp(this->TranslucentPass->GetClassName(), "vtkTranslucentPass") != 0;
-  if (replaced || !renderer->GetUseDepthPeeling())
+  vtkRenderPass* drawn = this->Flags->DrawOpaque(s, this->OpaquePass);
+  if (drawn && this->ShadowMapPass)
   {
-    return this->TranslucentPass;
+    this->OpaqueStep->Set(this->ShadowMapPass, drawn, true);
+    drawn = this->OpaqueStep;
   }
-  this->DepthPeeling->SetMaximumNumberOfPeels(renderer->GetMaximumNumberOfPeels());
-  this->DepthPeeling->SetOcclusionRatio(renderer->GetOcclusionRatio());
-  return this->DepthPeeling;
+  return this->Flags->AroundOpaque(s, drawn);
+}
+
+// With what comes between it and volumes; null for nothing.
+vtkRenderPass* vtkShadowRenderStepsPass::MakeTranslucentStep(const vtkRenderState* s)
+{
+  vtkRenderPass* drawn =
+    this->Flags->DrawTranslucent(s, this->TranslucentPass, this->VolumetricPass);
+  if (drawn && this->ShadowMapPass)
+  {
+    this->TranslucentStep->Set(this->ShadowMapPass, drawn, !this->OpaquePass);
+    drawn = this->TranslucentStep;
+  }
+  vtkRenderPass* after = this->Flags->AfterTranslucent(s);
+  if (!drawn || !after)
+  {
+    return drawn ? drawn : after;
+  }
+  this->AfterOpaque->GetPasses()->AddItem(drawn);
+  this->AfterOpaque->GetPasses()->AddItem(after);
+  return this->AfterOpaque;
 }
 
 void vtkShadowRenderStepsPass::Render(const vtkRenderState* s)
 {
+  if (rtw::RenderSelection(s))
+  {
+    return;
+  }
+  rtw::FollowStereo(s->GetRenderer());
+  this->Flags->Begin(s);
+  vtkRenderPass* opaqueStep = this->MakeOpaqueStep(s);
+  vtkRenderPass* translucentStep = this->MakeTranslucentStep(s);
   vtkRenderPass* opaque = this->OpaquePass;
   vtkRenderPass* translucent = this->TranslucentPass;
+  vtkRenderPass* volumetric = this->VolumetricPass;
   // The superclass renders the steps that its members name, so ours stand in for them for that long.
-  this->TranslucentPass = this->ChooseTranslucentPass(s);
-  if (this->ShadowMapPass && this->OpaquePass)
-  {
-    this->OpaqueStep->Set(this->ShadowMapPass, this->OpaquePass, true);
-    this->OpaquePass = this->OpaqueStep;
-  }
-  if (this->ShadowMapPass && this->TranslucentPass)
-  {
-    this->TranslucentStep->Set(this->ShadowMapPass, this->TranslucentPass, !opaque);
-    this->TranslucentPass = this->TranslucentStep;
-  }
+  this->OpaquePass = opaqueStep;
+  this->TranslucentPass = translucentStep;
+  this->VolumetricPass = this->Flags->PeelsVolumes() ? nullptr : volumetric;
   this->Superclass::Render(s);
   this->OpaquePass = opaque;
   this->TranslucentPass = translucent;
+  this->VolumetricPass = volumetric;
+  this->AfterOpaque->GetPasses()->RemoveAllItems();
   this->OpaqueStep->Set(nullptr, nullptr, false);
   this->TranslucentStep->Set(nullptr, nullptr, false);
 }
@@ -78,7 +102,7 @@ void vtkShadowRenderStepsPass::Render(const vtkRenderState* s)
 void vtkShadowRenderStepsPass::ReleaseGraphicsResources(vtkWindow* w)
 {
   this->Superclass::ReleaseGraphicsResources(w);
-  this->DepthPeeling->ReleaseGraphicsResources(w);
+  this->Flags->ReleaseGraphicsResources(w);
   if (this->ShadowMapPass)
   {
     // VTK's own pass releases only its baker, and only there its maps.

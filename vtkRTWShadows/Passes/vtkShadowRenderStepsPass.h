@@ -10,8 +10,10 @@
  *     steps->SetShadowMapPass(shadows);
  *     renderer->SetPass(steps);
  *
- * Each step can be replaced as in the superclass. A renderer that asks for depth peeling gets it, unless the translucent
- * step was replaced.
+ * Each step can be replaced as in the superclass. What a renderer asks for by its flags it gets as without a pass:
+ * UseSSAO, UseHiddenLineRemoval, UseDepthPeeling, UseDepthPeelingForVolumes, UseOIT and UseFXAA, with their settings; but
+ * hidden lines only where the opaque step, and peeling only where the translucent step wasn't replaced. A selector
+ * (vtkHardwareSelector) finds what it would find without a pass.
  */
 #ifndef vtkShadowRenderStepsPass_h
 #define vtkShadowRenderStepsPass_h
@@ -21,9 +23,16 @@
 #include "vtkRenderStepsPass.h"
 #include "vtkSmartPointer.h" // for ivars
 
-class vtkDualDepthPeelingPass;
+#include <memory> // for ivars
+
+class vtkSequencePass;
 class vtkShadowMapPass;
 class vtkShadowedStepPass;
+
+namespace rtw
+{
+class RendererFlags;
+}
 
 class VTKRTWSHADOWS_EXPORT vtkShadowRenderStepsPass : public vtkRenderStepsPass
 {
@@ -52,12 +61,14 @@ private:
   vtkShadowRenderStepsPass(const vtkShadowRenderStepsPass&) = delete;
   void operator=(const vtkShadowRenderStepsPass&) = delete;
 
-  vtkRenderPass* ChooseTranslucentPass(const vtkRenderState* s);
+  vtkRenderPass* MakeOpaqueStep(const vtkRenderState* s);
+  vtkRenderPass* MakeTranslucentStep(const vtkRenderState* s);
 
   vtkSmartPointer<vtkShadowMapPass> ShadowMapPass;
   vtkNew<vtkShadowedStepPass> OpaqueStep;
   vtkNew<vtkShadowedStepPass> TranslucentStep;
-  vtkNew<vtkDualDepthPeelingPass> DepthPeeling;
+  vtkNew<vtkSequencePass> AfterOpaque;
+  std::unique_ptr<rtw::RendererFlags> Flags;
 };
 
 #endif

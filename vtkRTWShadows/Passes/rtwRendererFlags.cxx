@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rtwRendererFlags.h"
+
+#include "rtwOpenGL.h"
+#include "rtwVTKCompatibility.h"
+
+#include "vtkDualDepthPeelingPass.h"
+#include "vtkFXAAOptions.h"
+#include "vtkHiddenLineRemovalPass.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLFXAAFilter.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkOpenGLState.h"
+#include "vtkOrderIndependentTranslucentPass.h"
+#include "vtkProp.h"
+#include "vtkRenderState.h"
+#include "vtkSSAOPass.h"
+#include "vtkTranslucentPass.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace rtw
+{
+namespace
+{
+bool IsPlain(vtkRenderPass* pass, const char* name)
+{
+  return pass && std::strcmp(pass->GetClassName(), name) == 0;
+}
+}
+
+// VTK's filter looks for the picture where the renderer has it in the window.
+class FXAAStep : public vtkRenderPass
+{
+public:
+  static FXAAStep* New();
+  vtkTypeMacro(FXAAStep, vtkRenderPass);
+
+  void Render(const vtkRenderState* s) override
+  {
+    auto* renderer = vtkOpenGLRenderer::SafeDownCast(s->GetRenderer());
+    if (!renderer || !this->IsInPlace(renderer))
+    {
+      return;
+    }
+    if (vtkFXAAOptions* options = renderer->GetFXAAOptions())
+    {
+      this->Filter->UpdateConfiguration(options);
+    }
+    this->Filter->Execute(renderer);
+  }
+
+  void ReleaseGraphicsResources(vtkWindow*) override { this->Filter->ReleaseGraphicsResources(); }
+
+private:
+  bool IsInPlace(vtkOpenGLRenderer* renderer)
+  {
+    int drawn[4], place[4];
+    renderer->GetState()->vtkglGetIntegerv(GL_VIEWPORT, drawn);
+    renderer->GetTiledSizeAndOrigin(&place[2], &place[3], &place[0], &place[1]);
+    const bool same = std::equal(drawn, drawn + 4, place);
+    if (!same && !this->Warned)
+    {
+      this->Warned = true;
+      vtkWarningMacro("leaves the renderer's UseFXAA out, because another pass draws its viewport elsewhere than in "
+                      "the window; put a vtkOpenGLFXAAPass around that pass instead");
+    }
+    return same;
+  }
+
+  bool Warned = false;
+  vtkNew<vtkOpenGLFXAAFilter> Filter;
+};
+vtkStandardNewMacro(FXAAStep);
+
+RendererFlags::RendererFlags()
+{
+  vtkNew<vtkTranslucentPass> blended;
+  this->Blending->SetTranslucentPass(blended);
+}
+
+RendererFlags::~RendererFlags() = default;
+
+void RendererFlags::Begin(const vtkRenderState* s)
+{
+  vtkProp** props = s->GetPropArray();
+  const int count = s->GetPropArrayCount();
+  this->HidesLines = false;
+  this->PeeledVolumes = false;
+  this->HasTranslucent = std::any_of(props, props + count,
+    [](vtkProp* prop) { return prop->HasTranslucentPolygonalGeometry() != 0; });
+}
+
+vtkRenderPass* RendererFlags::DrawOpaque(const vtkRenderState* s, vtkRenderPass* opaque)
+{
+  this->HidesLines = IsPlain(opaque, "vtkOpaquePass") &&
+    s->GetRenderer()->GetUseHiddenLineRemoval() &&
+    vtkHiddenLineRemovalPass::WireframePropsExist(s->GetPropArray(), s->GetPropArrayCount());
+  return this->HidesLines ? this->HiddenLines.Get() : opaque;
+}
+
+vtkRenderPass* RendererFlags::AroundOpaque(const vtkRenderState* s, vtkRenderPass* step)
+{
+  vtkRenderer* renderer = s->GetRenderer();
+  if (!step || this->HidesLines || !renderer->GetUseSSAO())
+  {
+    return step;
+  }
+  this->Occlusion->SetRadius(renderer->GetSSAORadius());
+  this->Occlusion->SetBias(renderer->GetSSAOBias());
+  this->Occlusion->SetKernelSize(renderer->GetSSAOKernelSize());
+  this->Occlusion->SetBlur(renderer->GetSSAOBlur());
+  this->Occlusion->SetDelegatePass(step);
+  return this->Occlusion;
+}
+
+vtkRenderPass* RendererFlags::DrawTranslucent(
+  const vtkRenderState* s, vtkRenderPass* translucent, vtkRenderPass* volumetric)
+{
+  if (!IsPlain(translucent, "vtkTranslucentPass"))
+  {
+    return translucent;
+  }
+  if (!this->HasTranslucent)
+  {
+    return nullptr;
+  }
+  if (s->GetRenderer()->GetUseDepthPeeling())
+  {
+    return this->Peel(s, volumetric);
+  }
+  return BlendsInAnyOrder(s->GetRenderer()) ? this->Blending.Get() : translucent;
+}
+
+vtkRenderPass* RendererFlags::Peel(const vtkRenderState* s, vtkRenderPass* volumetric)
+{
+  vtkRenderer* renderer = s->GetRenderer();
+  if (!this->Peeling)
+  {
+    auto* drawn = vtkOpenGLRenderer::SafeDownCast(renderer);
+    const bool dual = !drawn || drawn->IsDualDepthPeelingSupported();
+    this->Peeling = dual ? vtkSmartPointer<vtkDepthPeelingPass>(vtkNew<vtkDualDepthPeelingPass>())
+                         : vtkSmartPointer<vtkDepthPeelingPass>::New();
+    vtkNew<vtkTranslucentPass> peeled;
+    this->Peeling->SetTranslucentPass(peeled);
+  }
+  this->Peeling->SetMaximumNumberOfPeels(renderer->GetMaximumNumberOfPeels());
+  this->Peeling->SetOcclusionRatio(renderer->GetOcclusionRatio());
+  if (auto* dual = vtkDualDepthPeelingPass::SafeDownCast(this->Peeling))
+  {
+    this->PeeledVolumes = renderer->GetUseDepthPeelingForVolumes() && volumetric;
+    dual->SetVolumetricPass(this->PeeledVolumes ? volumetric : nullptr);
+  }
+  return this->Peeling;
+}
+
+vtkRenderPass* RendererFlags::AfterTranslucent(const vtkRenderState* s)
+{
+  return s->GetRenderer()->GetUseFXAA() ? this->Smoothing.Get() : nullptr;
+}
+
+void RendererFlags::ReleaseGraphicsResources(vtkWindow* w)
+{
+  this->HiddenLines->ReleaseGraphicsResources(w);
+  this->Occlusion->ReleaseGraphicsResources(w);
+  this->Blending->ReleaseGraphicsResources(w);
+  this->Smoothing->ReleaseGraphicsResources(w);
+  if (this->Peeling)
+  {
+    this->Peeling->ReleaseGraphicsResources(w);
+    this->Peeling = nullptr;
+  }
+}
+}

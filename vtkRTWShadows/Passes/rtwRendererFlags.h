@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The passes behind a vtkRenderer's flags (UseSSAO, UseHiddenLineRemoval, UseDepthPeeling, UseOIT, UseFXAA), which VTK
+// heeds only where the renderer has no pass. Each is set up as vtkOpenGLRenderer does it, in each frame.
+#ifndef rtwRendererFlags_h
+#define rtwRendererFlags_h
+
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
+
+class vtkDepthPeelingPass;
+class vtkHiddenLineRemovalPass;
+class vtkOrderIndependentTranslucentPass;
+class vtkRenderPass;
+class vtkRenderState;
+class vtkSSAOPass;
+class vtkWindow;
+
+namespace rtw
+{
+class FXAAStep;
+
+class RendererFlags
+{
+public:
+  RendererFlags();
+  ~RendererFlags();
+  RendererFlags(const RendererFlags&) = delete;
+  RendererFlags& operator=(const RendererFlags&) = delete;
+
+  /// Takes note of a frame's flags and props; to be called first.
+  void Begin(const vtkRenderState* s);
+
+  /// The pass that draws opaque props: the one given, unless it is VTK's plain one and lines are to be hidden.
+  vtkRenderPass* DrawOpaque(const vtkRenderState* s, vtkRenderPass* opaque);
+  /// What surrounds the opaque step, itself where nothing does. Hidden lines have none, as in VTK.
+  vtkRenderPass* AroundOpaque(const vtkRenderState* s, vtkRenderPass* step);
+  /// The pass that draws translucent props: the one given, unless it is VTK's plain one. Null where nothing is translucent.
+  vtkRenderPass* DrawTranslucent(
+    const vtkRenderState* s, vtkRenderPass* translucent, vtkRenderPass* volumetric);
+  /// Whether that pass draws the volumes too.
+  bool PeelsVolumes() const { return this->PeeledVolumes; }
+  /// What comes between translucent props and volumes; null for nothing.
+  vtkRenderPass* AfterTranslucent(const vtkRenderState* s);
+
+  void ReleaseGraphicsResources(vtkWindow* w);
+
+private:
+  vtkRenderPass* Peel(const vtkRenderState* s, vtkRenderPass* volumetric);
+
+  bool HidesLines = false;
+  bool HasTranslucent = false;
+  bool PeeledVolumes = false;
+  vtkNew<vtkHiddenLineRemovalPass> HiddenLines;
+  vtkNew<vtkSSAOPass> Occlusion;
+  vtkNew<vtkOrderIndependentTranslucentPass> Blending;
+  vtkSmartPointer<vtkDepthPeelingPass> Peeling; ///< which of two: known with the first window
+  vtkNew<FXAAStep> Smoothing;
+};
+}
+
+#endif
