@@ -175,12 +175,12 @@ struct Collector
     }
   }
 
-  // Whether there is a plain mesh among the prop's parts, the parts drawn by their mappers, and whether there are translucent ones.
+  // What a prop's actors came to.
   struct Added
   {
     std::vector<ScenePart> Parts;
-    bool Plain = true;
-    bool Translucent = false;
+    bool Plain = true; ///< all of them are meshes
+    bool Translucent = false; ///< some of them are
   };
 
   Added AddLeaves(vtkProp* owner, const SceneLeaves& leaves, bool casts, bool receives)

@@ -33,8 +33,8 @@ namespace rtw
 namespace
 {
 #if VTK_MODULE_ENABLE_VTK_RenderingLOD
-// As vtkLODActor::Render chooses: by the time that each level took when it was last drawn, the untried first. Nothing that the
-// choice depends on changes between here and there.
+// As vtkLODActor::Render chooses: by the time that each level took when it was last drawn, the
+// untried first. Nothing that the choice depends on changes between here and there.
 vtkMapper* ChosenMapper(vtkLODActor* actor)
 {
   const float allowed = static_cast<float>(actor->GetAllocatedRenderTime());
@@ -47,10 +47,12 @@ vtkMapper* ChosenMapper(vtkLODActor* actor)
   vtkMapperCollection* levels = actor->GetLODMappers();
   vtkCollectionSimpleIterator it;
   levels->InitTraversal(it);
-  for (vtkMapper* level = levels->GetNextMapper(it); level && bestTime != 0; level = levels->GetNextMapper(it))
+  for (vtkMapper* level = levels->GetNextMapper(it); level && bestTime != 0;
+       level = levels->GetNextMapper(it))
   {
     const float time = static_cast<float>(level->GetTimeToDraw());
-    if (time == 0 || (bestTime > allowed && time < bestTime) || (time > bestTime && time < allowed))
+    if (time == 0 || (bestTime > allowed && time < bestTime) ||
+      (time > bestTime && time < allowed))
     {
       best = level;
       bestTime = time;
@@ -71,8 +73,8 @@ vtkMapper* MapperOf(vtkActor* actor)
 #endif
 }
 
-// Whether VTK draws nothing but what the mapper is given, where the actor's matrix says. An actor of any other class may draw something
-// else, as vtkQuadricLODActor does.
+// Whether VTK draws nothing but what the mapper is given, where the actor's matrix says. An actor of
+// any other class may draw something else, as vtkQuadricLODActor does.
 bool DrawsItsMapper(vtkActor* actor)
 {
   const char* const known[] = { "vtkActor", "vtkFollower", "vtkOpenGLActor",

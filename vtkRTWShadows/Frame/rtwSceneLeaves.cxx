@@ -27,8 +27,8 @@ bool IsOneOf(vtkObject* object, std::initializer_list<const char*> classes)
     classes.begin(), classes.end(), [object](const char* name) { return object->IsA(name); });
 }
 
-// Whether every draw of a mapper asks the passes in its prop's keys for shader code, and goes where it is told to. Others would draw
-// colours into maps; those of surface LIC compose images of their own.
+// Whether every draw of a mapper asks the passes in its prop's keys for shader code, and goes where
+// it is told to. Others would draw colours into maps; those of surface LIC compose images.
 bool AsksPasses(vtkMapper* mapper)
 {
   return IsOneOf(mapper,
@@ -37,7 +37,8 @@ bool AsksPasses(vtkMapper* mapper)
     !IsOneOf(mapper, { "vtkCompositeSurfaceLICMapper", "vtkSurfaceLICMapper" });
 }
 
-// The sky is no part of the world that light falls on; labels of axes turn in each Render, to whatever camera there is.
+// The sky is no part of the world that light falls on; labels of axes turn in each Render, to
+// whatever camera there is.
 bool IsAnnotation(vtkProp* prop)
 {
   return IsOneOf(prop, { "vtkSkybox", "vtkAxisFollower", "vtkProp3DAxisFollower" });
@@ -104,7 +105,8 @@ struct Walker
       if (actor->GetMapper()->IsA("vtkPointGaussianMapper"))
       {
         this->Refuse(actor,
-          "casts shadows but receives none, because its mapper, a vtkPointGaussianMapper, lights nothing");
+          "casts shadows but receives none, because its mapper, a vtkPointGaussianMapper, lights "
+          "nothing");
       }
       const glm::dmat4 own = ToGlm(actor->GetMatrix());
       this->Result.Actors.push_back(
