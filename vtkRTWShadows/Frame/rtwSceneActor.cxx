@@ -35,7 +35,7 @@ namespace
 #if VTK_MODULE_ENABLE_VTK_RenderingLOD
 // As vtkLODActor::Render chooses: by the time that each level took when it was last drawn, the
 // untried first. Nothing that the choice depends on changes between here and there.
-vtkMapper* ChosenMapper(vtkLODActor* actor)
+vtkMapper* ChosenLevel(vtkLODActor* actor)
 {
   const float allowed = static_cast<float>(actor->GetAllocatedRenderTime());
   vtkMapper* best = actor->GetMapper();
@@ -62,17 +62,6 @@ vtkMapper* ChosenMapper(vtkLODActor* actor)
 }
 #endif
 
-// Of the level of detail that will be drawn.
-vtkMapper* MapperOf(vtkActor* actor)
-{
-#if VTK_MODULE_ENABLE_VTK_RenderingLOD
-  auto* levels = vtkLODActor::SafeDownCast(actor);
-  return levels && actor->GetMapper() ? ChosenMapper(levels) : actor->GetMapper();
-#else
-  return actor->GetMapper();
-#endif
-}
-
 // Whether VTK draws nothing but what the mapper is given, where the actor's matrix says. An actor of
 // any other class may draw something else, as vtkQuadricLODActor does.
 bool DrawsItsMapper(vtkActor* actor)
@@ -89,7 +78,7 @@ bool DrawsItsMapper(vtkActor* actor)
 // Of a vtkDataSetMapper the mapper that draws its surface, which exists from its first frame on.
 vtkMapper* DrawingMapper(vtkActor* actor)
 {
-  vtkMapper* mapper = MapperOf(actor);
+  vtkMapper* mapper = ChosenMapper(actor);
   auto* surface = mapper && std::strcmp(mapper->GetClassName(), "vtkDataSetMapper") == 0
     ? vtkDataSetMapper::SafeDownCast(mapper)->GetPolyDataMapper()
     : nullptr;
@@ -163,6 +152,16 @@ void CollectBlocks(vtkDataObject* block, bool visible,
     }
   }
 }
+}
+
+vtkMapper* ChosenMapper(vtkActor* actor)
+{
+#if VTK_MODULE_ENABLE_VTK_RenderingLOD
+  auto* levels = vtkLODActor::SafeDownCast(actor);
+  return levels && actor->GetMapper() ? ChosenLevel(levels) : actor->GetMapper();
+#else
+  return actor->GetMapper();
+#endif
 }
 
 std::vector<vtkPolyData*> MeshesOf(vtkActor* actor)
