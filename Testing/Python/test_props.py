@@ -146,6 +146,8 @@ AS_AN_ACTOR = {
     "vtkLODProp3D, its last": lambda r: levels(box(half=(0.4, 0.4, 0.4)), box(), chosen=1),
     "vtkLODProp3D in vtkAssembly": lambda r: assembly(
         "vtkAssembly", levels(HERE, chosen=0), Position=CENTRE),
+    "vtkLODActor beside text": lambda r: assembly(
+        "vtkPropAssembly", lod_actor(), make("vtkBillboardTextActor3D", Input="XXX", Position=(0, 0, -5))),
     "vtkPropAssembly": lambda r: assembly("vtkPropAssembly", actor_of(HERE, Position=CENTRE)),
     "vtkPropAssembly in vtkPropAssembly": lambda r: assembly(
         "vtkPropAssembly", assembly("vtkPropAssembly", actor_of(HERE, Position=CENTRE))),

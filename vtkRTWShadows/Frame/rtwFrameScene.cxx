@@ -144,10 +144,7 @@ struct Collector
     {
       add(leaf.Actor);
       add(KeysOf(owner));
-    }
-    if (!isUsual)
-    {
-      add(leaf.Actor->GetMapper());
+      add(ChosenMapper(leaf.Actor));
     }
     if (mixed)
     {
@@ -177,12 +174,12 @@ struct Collector
     }
   }
 
-  // Whether there is a plain mesh among the prop's parts, the parts drawn by their mappers, and whether there are translucent ones.
+  // What a prop's actors came to.
   struct Added
   {
     std::vector<ScenePart> Parts;
-    bool Plain = true;
-    bool Translucent = false;
+    bool Plain = true; ///< all of them are meshes
+    bool Translucent = false; ///< some of them are
   };
 
   Added AddLeaves(vtkProp* owner, const SceneLeaves& leaves, bool casts, bool receives)
@@ -280,14 +277,15 @@ std::optional<SceneShading> FrameScene::FindShading(
   };
   const SceneShading* const keys = find(prop->GetPropertyKeys());
   const SceneShading* own = find(prop);
-  if (!own && keys && keys->IsMixed)
+  const SceneShading* const shared = find(mapper);
+  if (!own && !shared && keys && keys->IsMixed)
   {
     return std::nullopt;
   }
   own = own ? own : keys;
   SceneShading shading = own ? *own : SceneShading();
   // A mapper keeps one program, whichever of its actors it draws.
-  if (const SceneShading* const shared = find(mapper))
+  if (shared)
   {
     shading.DrawsItself = shading.DrawsItself || shared->DrawsItself;
     shading.IsUnsampled = shading.IsUnsampled || shared->IsUnsampled;

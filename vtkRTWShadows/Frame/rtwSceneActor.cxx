@@ -33,9 +33,9 @@ namespace rtw
 namespace
 {
 #if VTK_MODULE_ENABLE_VTK_RenderingLOD
-// As vtkLODActor::Render chooses: by the time that each level took when it was last drawn, the untried first. Nothing that the
-// choice depends on changes between here and there.
-vtkMapper* ChosenMapper(vtkLODActor* actor)
+// As vtkLODActor::Render chooses: by the time that each level took when it was last drawn, the
+// untried first. Nothing that the choice depends on changes between here and there.
+vtkMapper* ChosenLevel(vtkLODActor* actor)
 {
   const float allowed = static_cast<float>(actor->GetAllocatedRenderTime());
   vtkMapper* best = actor->GetMapper();
@@ -47,10 +47,12 @@ vtkMapper* ChosenMapper(vtkLODActor* actor)
   vtkMapperCollection* levels = actor->GetLODMappers();
   vtkCollectionSimpleIterator it;
   levels->InitTraversal(it);
-  for (vtkMapper* level = levels->GetNextMapper(it); level && bestTime != 0; level = levels->GetNextMapper(it))
+  for (vtkMapper* level = levels->GetNextMapper(it); level && bestTime != 0;
+       level = levels->GetNextMapper(it))
   {
     const float time = static_cast<float>(level->GetTimeToDraw());
-    if (time == 0 || (bestTime > allowed && time < bestTime) || (time > bestTime && time < allowed))
+    if (time == 0 || (bestTime > allowed && time < bestTime) ||
+      (time > bestTime && time < allowed))
     {
       best = level;
       bestTime = time;
@@ -60,19 +62,8 @@ vtkMapper* ChosenMapper(vtkLODActor* actor)
 }
 #endif
 
-// Of the level of detail that will be drawn.
-vtkMapper* MapperOf(vtkActor* actor)
-{
-#if VTK_MODULE_ENABLE_VTK_RenderingLOD
-  auto* levels = vtkLODActor::SafeDownCast(actor);
-  return levels && actor->GetMapper() ? ChosenMapper(levels) : actor->GetMapper();
-#else
-  return actor->GetMapper();
-#endif
-}
-
-// Whether VTK draws nothing but what the mapper is given, where the actor's matrix says. An actor of any other class may draw something
-// else, as vtkQuadricLODActor does.
+// Whether VTK draws nothing but what the mapper is given, where the actor's matrix says. An actor of
+// any other class may draw something else, as vtkQuadricLODActor does.
 bool DrawsItsMapper(vtkActor* actor)
 {
   const char* const known[] = { "vtkActor", "vtkFollower", "vtkOpenGLActor",
@@ -87,7 +78,7 @@ bool DrawsItsMapper(vtkActor* actor)
 // Of a vtkDataSetMapper the mapper that draws its surface, which exists from its first frame on.
 vtkMapper* DrawingMapper(vtkActor* actor)
 {
-  vtkMapper* mapper = MapperOf(actor);
+  vtkMapper* mapper = ChosenMapper(actor);
   auto* surface = mapper && std::strcmp(mapper->GetClassName(), "vtkDataSetMapper") == 0
     ? vtkDataSetMapper::SafeDownCast(mapper)->GetPolyDataMapper()
     : nullptr;
@@ -151,6 +142,16 @@ void CollectBlocks(vtkDataObject* block, bool visible,
     }
   }
 }
+}
+
+vtkMapper* ChosenMapper(vtkActor* actor)
+{
+#if VTK_MODULE_ENABLE_VTK_RenderingLOD
+  auto* levels = vtkLODActor::SafeDownCast(actor);
+  return levels && actor->GetMapper() ? ChosenLevel(levels) : actor->GetMapper();
+#else
+  return actor->GetMapper();
+#endif
 }
 
 std::vector<vtkPolyData*> MeshesOf(vtkActor* actor)

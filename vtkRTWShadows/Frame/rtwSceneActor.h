@@ -10,6 +10,7 @@
 #include <vector>
 
 class vtkActor;
+class vtkMapper;
 class vtkPolyData;
 
 namespace rtw
@@ -25,6 +26,8 @@ bool IsThickActor(vtkActor* actor);
 /// Whether the mapper of one that isn't draws all of its triangles at no other depth: no culled faces, no offsets between
 /// coincident primitives.
 bool DrawsAllAsIs(vtkActor* actor);
+/// An actor's mapper; of one with levels of detail that of the level that it will draw.
+vtkMapper* ChosenMapper(vtkActor* actor);
 /// Whether an actor chooses what to draw in each Render; it is taken to draw the level that it would choose now.
 bool ChoosesMapper(vtkActor* actor);
 /// The meshes of such an actor, brought up to date; hidden blocks of a composite dataset left out.

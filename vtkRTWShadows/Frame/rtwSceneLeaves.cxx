@@ -2,6 +2,7 @@
 #include "rtwSceneLeaves.h"
 
 #include "rtwSceneActor.h"
+#include "rtwVTKCompatibility.h"
 #include "rtwView.h"
 
 #include "vtkActor.h"
@@ -15,6 +16,7 @@
 #include "vtkProperty.h"
 
 #include <algorithm>
+#include <cstring>
 #include <initializer_list>
 
 namespace rtw
@@ -27,17 +29,19 @@ bool IsOneOf(vtkObject* object, std::initializer_list<const char*> classes)
     classes.begin(), classes.end(), [object](const char* name) { return object->IsA(name); });
 }
 
-// Whether every draw of a mapper asks the passes in its prop's keys for shader code, and goes where it is told to. Others would draw
-// colours into maps; those of surface LIC compose images of their own.
+// Whether every draw of a mapper asks the passes in its prop's keys for shader code, and goes where
+// it is told to. Others would draw colours into maps; those of surface LIC compose images.
 bool AsksPasses(vtkMapper* mapper)
 {
-  return IsOneOf(mapper,
-           { "vtkPolyDataMapper", "vtkCompositePolyDataMapper", "vtkDataSetMapper",
-             "vtkGlyph3DMapper", "vtkHyperTreeGridMapper", "vtkMoleculeMapper" }) &&
-    !IsOneOf(mapper, { "vtkCompositeSurfaceLICMapper", "vtkSurfaceLICMapper" });
+  return IsMeshMapper(mapper) ||
+    (IsOneOf(mapper,
+       { "vtkPolyDataMapper", "vtkCompositePolyDataMapper", "vtkDataSetMapper",
+         "vtkGlyph3DMapper", "vtkHyperTreeGridMapper", "vtkMoleculeMapper" }) &&
+      !IsOneOf(mapper, { "vtkCompositeSurfaceLICMapper", "vtkSurfaceLICMapper" }));
 }
 
-// The sky is no part of the world that light falls on; labels of axes turn in each Render, to whatever camera there is.
+// The sky is no part of the world that light falls on; labels of axes turn in each Render, to
+// whatever camera there is.
 bool IsAnnotation(vtkProp* prop)
 {
   return IsOneOf(prop, { "vtkSkybox", "vtkAxisFollower", "vtkProp3DAxisFollower" });
@@ -89,22 +93,24 @@ struct Walker
 
   void AddActor(vtkActor* actor, const glm::dmat4& toWorld, bool isLevel)
   {
-    if (!actor->GetMapper() || IsAnnotation(actor))
+    vtkMapper* const mapper = actor->GetMapper();
+    if (!mapper || IsAnnotation(actor))
     {
       this->Result.HasOthers = true;
     }
-    else if (!AsksPasses(actor->GetMapper()))
+    else if (!AsksPasses(mapper))
     {
       this->Result.HasOthers = true;
       this->Refuse(actor, std::string("neither casts nor receives shadows, because its mapper, a ") +
-          actor->GetMapper()->GetClassName() + ", takes no shader code for them");
+          mapper->GetClassName() + ", takes no shader code for them");
     }
     else
     {
-      if (actor->GetMapper()->IsA("vtkPointGaussianMapper"))
+      if (!IsMeshMapper(mapper) && mapper->IsA("vtkPointGaussianMapper"))
       {
         this->Refuse(actor,
-          "casts shadows but receives none, because its mapper, a vtkPointGaussianMapper, lights nothing");
+          "casts shadows but receives none, because its mapper, a vtkPointGaussianMapper, lights "
+          "nothing");
       }
       const glm::dmat4 own = ToGlm(actor->GetMatrix());
       this->Result.Actors.push_back(
@@ -141,6 +147,11 @@ bool LeadsToParts(vtkProp* prop)
 SceneLeaves LeavesOf(vtkProp* prop)
 {
   Walker walker{ prop, {} };
+  if (!std::strcmp(prop->GetClassName(), "vtkOpenGLActor")) // as most are
+  {
+    walker.AddActor(static_cast<vtkActor*>(prop), ToGlm(prop->GetMatrix()), false);
+    return std::move(walker.Result);
+  }
   if (!LeadsToParts(prop))
   {
     walker.AddLeaf(prop, glm::dmat4(1));

@@ -31,9 +31,9 @@ struct SceneLeaves
   bool HasOthers = false;
 };
 
-/// The parts of assemblies, the level of detail that VTK has chosen, and what followers turn: those that are actors with a
-/// mapper whose every draw goes through a vtkPolyDataMapper. Annotations, labels, text, the sky, widgets, images and volumes have
-/// none.
+/// The parts of assemblies, the level of detail that VTK has chosen, and what followers turn: those
+/// that are actors with a mapper whose every draw asks render passes for shader code. Annotations,
+/// labels, text, the sky, widgets, images and volumes have none.
 SceneLeaves LeavesOf(vtkProp* prop);
 }
 
