@@ -3,8 +3,10 @@
 #ifndef rtwVTKCompatibility_h
 #define rtwVTKCompatibility_h
 
+class vtkAbstractMapper;
 class vtkCompositeDataDisplayAttributes;
 class vtkMapper;
+class vtkOpenGLVertexArrayObject;
 
 namespace rtw
 {
@@ -14,6 +16,16 @@ bool IsCompositeMeshMapper(vtkMapper* mapper);
 vtkCompositeDataDisplayAttributes* CompositeAttributesOf(vtkMapper* mapper);
 /// Whether a mapper draws one mesh, as it is; false for its subclasses, such as the imposters.
 bool IsMeshMapper(vtkMapper* mapper);
+
+/// What a mesh mapper keeps apart.
+enum class MeshPrimitive
+{
+  Points,
+  Lines,
+  Others
+};
+/// Which of them a mapper draws from an array; others as well where it is none of a mesh mapper's.
+MeshPrimitive PrimitiveOf(vtkAbstractMapper* mapper, vtkOpenGLVertexArrayObject* array);
 }
 
 #endif

@@ -100,25 +100,43 @@ bool KnowsPosition(const std::string& fragment)
   return Contains(fragment, "vec4 vertexVC =") || Contains(fragment, "vertexVC.xyz");
 }
 
+// Of what VTK makes round of lines and points: how far its surface stands before the plane through the middle, seen from the eye, as a
+// share of the distance or, in a parallel view, as a length. Imposters place themselves.
+std::string HeightOf(const std::string& fragment)
+{
+  return Contains(fragment, "tubeBasis2.z") ? "lenZ * ZCalcR / clamp(tubeBasis2.z, 0.5, 1.0)"
+    : Contains(fragment, "normalVCVSOutput.z*ZCalcR") ? "normalVCVSOutput.z * ZCalcR"
+                                                      : "";
+}
+
+// In view coordinates.
+std::string PositionOf(const std::string& fragment)
+{
+  const std::string height = HeightOf(fragment);
+  return height.empty() ? "vertexVC.xyz"
+                        : "(cameraParallel != 0 ? vertexVC.xyz + vec3(0.0, 0.0, " + height +
+      ") : vertexVC.xyz * (1.0 - " + height + "))";
+}
+
 // Depth as the fragment has it by now, because imposters write their own, its position where it has one, and the normal of imposters,
 // which are round.
 std::string GeometryCode(const std::string& fragment)
 {
   const bool imposter = Contains(fragment, "gl_FragDepth =");
   const std::string depth = imposter ? "gl_FragDepth" : "gl_FragCoord.z";
-  const std::string position = KnowsPosition(fragment) ? "vertexVC.xyz" : "vec3(0.0)";
+  const std::string position = KnowsPosition(fragment) ? PositionOf(fragment) : "vec3(0.0)";
   const bool round = imposter && Contains(fragment, "normalVCVSOutput =");
   return "rtwGeometryOutput(" + depth + ", " + position +
     (round ? ", normalVCVSOutput)" : ", vec3(0.0))");
 }
 
-std::string FactorCode(const ReceiverShape& shape)
+std::string FactorCode(const ReceiverShape& shape, const std::string& position)
 {
   std::string code;
   for (std::size_t k = 0; k < shape.Switched.size(); ++k)
   {
     const std::string n = std::to_string(k);
-    code += "  float rtwFactor" + n + " = rtwFactor(" + n + ", vertexVC.xyz);\n";
+    code += "  float rtwFactor" + n + " = rtwFactor(" + n + ", " + position + ");\n";
   }
   return code;
 }
@@ -233,8 +251,9 @@ void InjectReceiver(
     const bool sampled = receiving == Receiving::Sampled;
     code += direct ? LookupCode(shape) + rtwReceiverDirect
                    : std::string(rtwMaskValue) + (sampled ? rtwReceiverSampled : rtwReceiverMasked);
-    atLight += sampled ? "  rtwShown = rtwFindShown(vertexVC.xyz);\n" : "";
-    atLight += FactorCode(shape);
+    const std::string position = PositionOf(fragment);
+    atLight += sampled ? "  rtwShown = rtwFindShown(" + position + ");\n" : "";
+    atLight += FactorCode(shape, position);
     for (std::size_t k = 0; k < shape.Switched.size(); ++k)
     {
       const std::string colour = "lightColor" + std::to_string(shape.Switched[k]);
