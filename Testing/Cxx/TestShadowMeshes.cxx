@@ -100,13 +100,11 @@ vtkSmartPointer<vtkPolyData> MakeThin(bool vertices)
   return thin;
 }
 
-// They have no exact shadow, but it lies within that of a ribbon. Texels are larger than pixels
-// here, so that it shows.
+// Their shadow is as wide as they are, and lies within that of a ribbon.
 void TestThin()
 {
   rtwShadowStage stage;
   stage.AddFloor();
-  stage.Pass->SetResolution(96);
   vtkNew<vtkPlaneSource> ribbon;
   ribbon->SetOrigin(-2.2, 1.5, 0.7);
   ribbon->SetPoint1(2.2, 1.5, 0.7);
@@ -120,6 +118,8 @@ void TestThin()
   for (const bool vertices : { false, true })
   {
     vtkActor* thin = stage.Add(MakeThin(vertices));
+    thin->GetProperty()->SetLineWidth(2);
+    thin->GetProperty()->SetPointSize(2);
     stage.Render();
     const std::vector<unsigned char> mask = stage.GetMask(0);
     thin->VisibilityOff();

@@ -123,6 +123,17 @@ void rtwWriteBall(uint first, uint sides, vec3 p, float radius, vec4 light)
   vec3 t = rtwToLight(p, light);
   vec3 across = rtwAcross(t);
   vec3 side = cross(across, t);
+  if (sides == 1u) // a square
+  {
+    float corner = rtwWidened(radius, distance(light.xyz, p), light) * sqrt(0.5 * PI);
+    for (uint i = 0u; i < 4u; ++i)
+    {
+      rtwWrite(first + i, p + ((i & 1u) == 0u ? corner : -corner) * across);
+    }
+    rtwWrite(first + 4u, p + corner * side);
+    rtwWrite(first + 5u, p - corner * side);
+    return;
+  }
   // Of the same area as the circle.
   float turn = PI / float(sides);
   float reach = rtwWidened(radius, distance(light.xyz, p), light) * sqrt(turn / sin(turn));

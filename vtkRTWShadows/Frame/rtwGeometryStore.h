@@ -107,7 +107,7 @@ private:
   std::vector<ThickRun> ThickRuns; ///< as uploaded
   ThickPlace ThickAt{ 0, 0 };
   std::size_t ThickPoints = 0, ThickClusters = 0; ///< the room that they have
-  std::optional<std::array<std::size_t, 3>> ThickIndices; ///< where those of each of ThickRun::Sides stand
+  std::optional<std::array<std::size_t, ThickRun::Sides.size()>> ThickIndices; ///< where those of each of ThickRun::Sides stand
   bool Hiding = false;
   int NumberOfDraws = 0;
   std::size_t NumberOfTriangles = 0;

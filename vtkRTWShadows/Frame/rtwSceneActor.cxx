@@ -188,12 +188,12 @@ bool IsPlainMeshActor(vtkActor* actor)
     return false;
   }
   vtkPlaneCollection* planes = mapper->GetClippingPlanes();
-  if ((planes && planes->GetNumberOfItems() > 0) || HasUserShaders(actor) || HasCutOuts(actor) ||
-    HasTranslucentScalars(actor, mapper))
+  if ((planes && planes->GetNumberOfItems() > 0) || HasUserShaders(actor) || HasCutOuts(actor))
   {
     return false;
   }
-  return true;
+  MeshesOf(actor); // so that scalars are looked at as they will be drawn
+  return !HasTranslucentScalars(actor, mapper);
 }
 
 ThickLook LookOf(vtkActor* actor)

@@ -18,8 +18,8 @@ namespace rtw
 namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
-// In pixels: up to these a half circle of two and of four pieces is round enough.
-constexpr double Thin = 2, Medium = 8;
+// In pixels: up to these a half circle of one, two and four pieces is round enough. Single pixels are cheap, because they are many.
+constexpr double Single = 1.5, Thin = 3, Medium = 10;
 constexpr int MostGroups = 32768; // of a dispatch, along an axis
 
 // As the shader declares them.
@@ -39,7 +39,8 @@ struct GpuRun
 
 std::uint32_t ClassOf(double width, bool isBalls)
 {
-  return width <= Thin && !isBalls ? 0 : width <= Medium ? 1 : 2;
+  const double few = isBalls ? Thin : Single;
+  return width <= few ? 0 : width <= Thin ? 1 : width <= Medium ? 2 : 3;
 }
 
 // What a pixel is as wide as in the world, a unit of w in clip coordinates.

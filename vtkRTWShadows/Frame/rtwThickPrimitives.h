@@ -27,7 +27,7 @@ struct View;
 struct ThickRun
 {
   /// A half circle is so many pieces, by how many pixels wide it is.
-  static constexpr std::array<std::uint32_t, 3> Sides{ 2, 4, 8 };
+  static constexpr std::array<std::uint32_t, 4> Sides{ 1, 2, 4, 8 };
 
   std::uint32_t FirstSegment;
   std::uint32_t Segments;

@@ -3,6 +3,8 @@
 
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkMapper.h"
+#include "vtkOpenGLHelper.h"
+#include "vtkOpenGLPolyDataMapper.h"
 #include "vtkRenderer.h"
 #include "vtkVersionMacros.h"
 
@@ -28,6 +30,30 @@ bool IsOneOf(vtkMapper* mapper, std::initializer_list<const char*> names)
   return std::any_of(names.begin(), names.end(),
     [mapper](const char* name) { return std::strcmp(mapper->GetClassName(), name) == 0; });
 }
+}
+
+namespace
+{
+// Its arrays are protected, and nothing else tells what is being drawn.
+struct OpenMapper : vtkOpenGLPolyDataMapper
+{
+  static vtkOpenGLVertexArrayObject* ArrayOf(vtkOpenGLPolyDataMapper* mapper, PrimitiveTypes kind)
+  {
+    return (mapper->*(&OpenMapper::Primitives))[kind].VAO;
+  }
+};
+}
+
+MeshPrimitive PrimitiveOf(vtkAbstractMapper* mapper, vtkOpenGLVertexArrayObject* array)
+{
+  auto* mesh = vtkOpenGLPolyDataMapper::SafeDownCast(mapper);
+  if (!mesh || !array)
+  {
+    return MeshPrimitive::Others;
+  }
+  return array == OpenMapper::ArrayOf(mesh, OpenMapper::PrimitivePoints) ? MeshPrimitive::Points
+    : array == OpenMapper::ArrayOf(mesh, OpenMapper::PrimitiveLines)     ? MeshPrimitive::Lines
+                                                                         : MeshPrimitive::Others;
 }
 
 bool IsCompositeMeshMapper(vtkMapper* mapper)

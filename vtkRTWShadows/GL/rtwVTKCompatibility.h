@@ -5,9 +5,11 @@
 
 #include <string>
 
+class vtkAbstractMapper;
 class vtkCompositeDataDisplayAttributes;
 class vtkMapper;
 class vtkObject;
+class vtkOpenGLVertexArrayObject;
 class vtkRenderer;
 
 namespace rtw
@@ -22,6 +24,16 @@ bool IsMeshMapper(vtkMapper* mapper);
 std::string NameOf(vtkObject* object);
 /// Whether a renderer without depth peeling blends translucent props whatever their order: until 9.5 each does.
 bool BlendsInAnyOrder(vtkRenderer* renderer);
+
+/// What a mesh mapper keeps apart.
+enum class MeshPrimitive
+{
+  Points,
+  Lines,
+  Others
+};
+/// Which of them a mapper draws from an array; others as well where it is none of a mesh mapper's.
+MeshPrimitive PrimitiveOf(vtkAbstractMapper* mapper, vtkOpenGLVertexArrayObject* array);
 }
 
 #endif

@@ -107,12 +107,30 @@ std::string DepthCode(const std::string& fragment)
   return Contains(fragment, "gl_FragDepth =") ? "gl_FragDepth" : "gl_FragCoord.z";
 }
 
+// Of what VTK makes round of lines and points: how far its surface stands before the plane through the middle, seen from the eye, as a
+// share of the distance or, in a parallel view, as a length. Imposters place themselves.
+std::string HeightOf(const std::string& fragment)
+{
+  return Contains(fragment, "tubeBasis2.z") ? "lenZ * ZCalcR / clamp(tubeBasis2.z, 0.5, 1.0)"
+    : Contains(fragment, "normalVCVSOutput.z*ZCalcR") ? "normalVCVSOutput.z * ZCalcR"
+                                                      : "";
+}
+
+// In view coordinates.
+std::string PositionOf(const std::string& fragment)
+{
+  const std::string height = HeightOf(fragment);
+  return height.empty() ? "vertexVC.xyz"
+                        : "(cameraParallel != 0 ? vertexVC.xyz + vec3(0.0, 0.0, " + height +
+      ") : vertexVC.xyz * (1.0 - " + height + "))";
+}
+
 // Depth, the fragment's position where it has one, and the normal of imposters, which are round.
 std::string GeometryCode(const std::string& fragment)
 {
   const bool imposter = Contains(fragment, "gl_FragDepth =");
   const std::string depth = DepthCode(fragment);
-  const std::string position = KnowsPosition(fragment) ? "vertexVC.xyz" : "vec3(0.0)";
+  const std::string position = KnowsPosition(fragment) ? PositionOf(fragment) : "vec3(0.0)";
   const bool round = imposter && Contains(fragment, "normalVCVSOutput =");
   return "rtwGeometryOutput(" + depth + ", " + position +
     (round ? ", normalVCVSOutput)" : ", vec3(0.0))");
@@ -243,9 +261,10 @@ void InjectReceiver(
       (direct ? LookupCode(shape) + rtwReceiverDirect
               : std::string(rtwMaskValue) + (sampled ? rtwReceiverSampled : rtwReceiverMasked));
     const std::string depth = DepthCode(fragment);
-    atLight += sampled ? "  rtwShown = rtwFindShown(vertexVC.xyz, " + depth + ");\n" : "";
+    const std::string position = PositionOf(fragment);
+    atLight += sampled ? "  rtwShown = rtwFindShown(" + position + ", " + depth + ");\n" : "";
     atLight += "  vec3 rtwAt = " +
-      (direct ? "rtwPlaceOf(vertexVC.xyz, " + depth + ")" : std::string("vertexVC.xyz")) + ";\n";
+      (direct ? "rtwPlaceOf(" + position + ", " + depth + ")" : position) + ";\n";
     atLight += FactorCode(shape);
     for (std::size_t k = 0; k < shape.Switched.size(); ++k)
     {

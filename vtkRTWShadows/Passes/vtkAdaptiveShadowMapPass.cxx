@@ -332,8 +332,24 @@ bool vtkAdaptiveShadowMapPass::PostReplaceShaderValues(std::string& vertexShader
   return true;
 }
 
-bool vtkAdaptiveShadowMapPass::SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper*,
-  vtkProp* prop, vtkOpenGLVertexArrayObject*)
+namespace
+{
+// Flat lines and points have no side to be lit on; tubes and spheres are round.
+bool HasSides(vtkActor* actor, rtw::MeshPrimitive primitive)
+{
+  vtkProperty* property = actor->GetProperty();
+  const int drawn = property->GetRepresentation();
+  if (drawn == VTK_POINTS || primitive == rtw::MeshPrimitive::Points)
+  {
+    return property->GetRenderPointsAsSpheres();
+  }
+  const bool isLines = drawn == VTK_WIREFRAME || primitive == rtw::MeshPrimitive::Lines;
+  return !isLines || (property->GetRenderLinesAsTubes() && property->GetLineWidth() > 1);
+}
+}
+
+bool vtkAdaptiveShadowMapPass::SetShaderParameters(vtkShaderProgram* program,
+  vtkAbstractMapper* mapper, vtkProp* prop, vtkOpenGLVertexArrayObject* array)
 {
   if (!program->IsUniformUsed("rtwReceives"))
   {
@@ -341,10 +357,8 @@ bool vtkAdaptiveShadowMapPass::SetShaderParameters(vtkShaderProgram* program, vt
   }
   this->Shadows->Uniforms.Set(program);
   vtkInformation* keys = prop ? prop->GetPropertyKeys() : nullptr;
-  // The lines and points that a surface is drawn by have no side to be lit on.
   auto* actor = vtkActor::SafeDownCast(prop);
-  const bool isSurface = !actor || actor->GetProperty()->GetRepresentation() == VTK_SURFACE;
-  const bool receives = isSurface &&
+  const bool receives = (!actor || HasSides(actor, rtw::PrimitiveOf(mapper, array))) &&
     (!keys || !keys->Has(RECEIVES_SHADOW()) || keys->Get(RECEIVES_SHADOW()) != 0);
   program->SetUniformi("rtwReceives", receives ? 1 : 0);
   return true;
