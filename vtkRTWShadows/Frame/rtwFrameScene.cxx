@@ -2,6 +2,7 @@
 #include "rtwFrameScene.h"
 
 #include "rtwSceneActor.h"
+#include "rtwSceneSignature.h"
 #include "rtwView.h"
 
 #include "vtkActor.h"
@@ -163,13 +164,11 @@ struct Collector
     signature = Mix(signature, std::uint64_t(casts) | std::uint64_t(receives) << 1);
     if (parts.empty())
     {
-      signature = Mix(signature, std::uint64_t(prop->GetRedrawMTime()));
+      signature = SignProp(signature, prop);
     }
     for (const ScenePart& part : parts)
     {
-      signature = Mix(signature, reinterpret_cast<std::uint64_t>(part.Data));
-      signature = Mix(signature, std::uint64_t(MeshTime(part.Data)));
-      signature = Mix(Mix(signature, std::uint64_t(part.Receives) | std::uint64_t(part.Hides) << 1), part.ToWorld);
+      signature = SignPart(signature, part);
     }
   }
 
