@@ -59,10 +59,33 @@ std::uint64_t vtkAdaptiveShadowMapPass::Internals::Sign(
       std::uint64_t(o.Casters.Bends) << 8);
 }
 
+rtw::ReceiverCode vtkAdaptiveShadowMapPass::Internals::MakeCode(
+  bool drawnByMappers, bool translucent) const
+{
+  rtw::Receiving way = rtw::Receiving::Direct;
+  if (this->Options.Masked && !translucent)
+  {
+    way = this->Options.SamplesAPixel > 1 ? rtw::Receiving::Sampled : rtw::Receiving::Masked;
+  }
+  return rtw::ReceiverCode::Make(this->Options.Shape, way, drawnByMappers);
+}
+
+void vtkAdaptiveShadowMapPass::Internals::FindCodes()
+{
+  for (const bool drawnByMappers : { false, true })
+  {
+    for (const bool translucent : { false, true })
+    {
+      this->Codes[drawnByMappers][translucent] =
+        rtw::ReceiverCodePass::Of(this->MakeCode(drawnByMappers, translucent));
+    }
+  }
+}
+
 vtkAdaptiveShadowMapPass::Internals::Attachment::Attachment(Internals& internals, vtkAdaptiveShadowMapPass* pass,
   std::vector<vtkProp*> props, rtw::Phase phase, int layer)
   : My(internals)
-  , Pass(pass)
+  , Answering(pass)
   , Props(std::move(props))
 {
   vtkTextureUnitManager* manager = this->My.Window->GetTextureUnitManager();
@@ -103,7 +126,9 @@ vtkAdaptiveShadowMapPass::Internals::Attachment::Attachment(Internals& internals
       prop->SetPropertyKeys(keys);
       keys->FastDelete();
     }
-    keys->Append(vtkOpenGLRenderPass::RenderPasses(), this->Pass);
+    this->Codes.push_back(
+      this->My.Codes[this->My.DrawnByMappers.count(prop)][this->My.Translucent.count(prop)]);
+    keys->Append(vtkOpenGLRenderPass::RenderPasses(), this->Codes.back());
   }
 }
 
@@ -114,10 +139,10 @@ vtkAdaptiveShadowMapPass::Internals::Attachment::~Attachment()
   {
     this->My.Pipeline.UnbindTextures(this->My.Uniforms);
     this->My.Window->GetState()->ResetGLActiveTexture();
-    for (vtkProp* prop : this->Props)
+    for (std::size_t i = 0; i < this->Props.size(); ++i)
     {
-      vtkInformation* keys = prop->GetPropertyKeys();
-      keys->Remove(vtkOpenGLRenderPass::RenderPasses(), this->Pass);
+      vtkInformation* keys = this->Props[i]->GetPropertyKeys();
+      keys->Remove(vtkOpenGLRenderPass::RenderPasses(), this->Codes[i]);
       if (keys->Length(vtkOpenGLRenderPass::RenderPasses()) == 0)
       {
         keys->Remove(vtkOpenGLRenderPass::RenderPasses());

@@ -5,7 +5,7 @@
 
 #include "rtwImages.h"
 #include "rtwLightCollector.h"
-#include "rtwReceiverShader.h"
+#include "rtwReceiverCode.h"
 #include "rtwFrameScene.h"
 #include "rtwShadowPipeline.h"
 
@@ -29,13 +29,14 @@ public:
   rtw::FrameScene Scene;
   /// Of which only addresses are used: the actors of Scene.Props, and those that have translucent parts.
   std::set<vtkProp*> DrawnByMappers, Translucent;
+  /// Of the code of props, by whether it is one of DrawnByMappers and one of Translucent.
+  vtkSmartPointer<rtw::ReceiverCodePass> Codes[2][2];
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   vtkWeakPointer<vtkRenderer> Renderer; ///< that the last bake was for
   vtkSmartPointer<vtkShadowMapWarp> Warp; ///< that the pipeline uses; kept alive for its stage
   vtkSmartPointer<vtkShadowMapPartition> Partition; ///< likewise
   vtkSmartPointer<vtkImageData> MaskImage, MapImage, WarpImage, ImportanceImage, AliasingImage;
   vtkRenderPass* DefaultSequence = nullptr; ///< only compared with
-  bool WasMasked = false;
   bool AwaitsDebugView = false; ///< of what is drawn next, the first since the bake
   bool WarnedOfContext = false;
   bool WarnedOfPointLights = false;
@@ -63,6 +64,9 @@ public:
   void UseWarp(vtkShadowMapWarp* warp);
   void UsePartition(vtkShadowMapPartition* partition);
   std::uint64_t Sign(vtkMTimeType warpTime, vtkMTimeType partitionTime) const;
+  /// With the shape that the options have.
+  rtw::ReceiverCode MakeCode(bool drawnByMappers, bool translucent) const;
+  void FindCodes();
 
   /// While one lives, the mappers of those props draw with the pass's code, in that phase, and the maps are bound.
   class Attachment
@@ -78,8 +82,9 @@ public:
 
   private:
     Internals& My;
-    vtkAdaptiveShadowMapPass* Pass;
+    rtw::ReceiverCodePass::Answering Answering;
     std::vector<vtkProp*> Props;
+    std::vector<vtkSmartPointer<rtw::ReceiverCodePass>> Codes; ///< one a prop
     std::vector<int> Units;
     std::size_t Needed;
   };

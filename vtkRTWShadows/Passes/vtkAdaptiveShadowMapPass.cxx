@@ -36,7 +36,6 @@ vtkAdaptiveShadowMapPass::vtkAdaptiveShadowMapPass()
   vtkNew<vtkAdaptiveShadowMapBakerPass> baker;
   this->SetShadowMapBakerPass(baker);
   this->Shadows->DefaultSequence = this->OpaqueSequence;
-  this->StageTime.Modified();
 }
 
 vtkAdaptiveShadowMapPass::~vtkAdaptiveShadowMapPass()
@@ -173,7 +172,6 @@ void vtkAdaptiveShadowMapPass::Bake(const vtkRenderState* s)
   // Samples of a pixel see other surfaces than its centre; without own programs a mask would cost a pass through VTK's mappers.
   const int samples = window->GetMultiSamples() <= 1 ? 1 : my.Pipeline.CountMaskSamples();
   my.Options.Masked = my.Pipeline.HasOwnDrawing() && samples > 0 && !my.Options.PreviousFrame;
-  const int samplesBefore = my.Options.SamplesAPixel;
   my.Options.SamplesAPixel = my.Options.Masked ? samples : 1;
   rtw::ReceiverShape shape{ my.Pipeline.GetShape(), {}, this->Filter, this->DepthTest,
     my.Pipeline.CountOtherLayers(my.Scene, lights * parts) > 0, parts,
@@ -182,17 +180,10 @@ void vtkAdaptiveShadowMapPass::Bake(const vtkRenderState* s)
   {
     shape.Switched.push_back(light.Switched);
   }
-  std::set<vtkProp*> drawn = rtw::ActorsOf(my.Scene.Props);
-  std::set<vtkProp*> translucent = rtw::TranslucentActorsOf(my.Scene.Shaded);
-  if (!(shape == my.Options.Shape) || drawn != my.DrawnByMappers || translucent != my.Translucent ||
-    my.WasMasked != my.Options.Masked || (samplesBefore > 1) != (my.Options.SamplesAPixel > 1))
-  {
-    my.Options.Shape = shape;
-    my.WasMasked = my.Options.Masked;
-    my.DrawnByMappers = std::move(drawn);
-    my.Translucent = std::move(translucent);
-    this->StageTime.Modified();
-  }
+  my.Options.Shape = shape;
+  my.DrawnByMappers = rtw::ActorsOf(my.Scene.Props);
+  my.Translucent = rtw::TranslucentActorsOf(my.Scene.Shaded);
+  my.FindCodes();
   my.Options.Signature = my.Sign(this->Warp->GetMTime(), this->Partition->GetMTime());
   my.Pipeline.Update(rtw::ViewOf(s), my.Scene, my.Lights.Shadowing, my.Options,
     { [this, renderer] { this->DrawViewSamples(renderer); },
@@ -279,13 +270,14 @@ void vtkAdaptiveShadowMapPass::RenderLit(const vtkRenderState* s, vtkRenderPass*
 }
 
 bool vtkAdaptiveShadowMapPass::PreReplaceShaderValues(
-  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp*)
+  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop)
 {
   if (vtkPolyDataMapper::SafeDownCast(mapper))
   {
     ++this->NumberOfShaderBuilds;
     rtw::MarkPlaces(fragmentShader);
-    if (this->Shadows->Options.SamplesAPixel > 1)
+    const Internals& my = *this->Shadows;
+    if (my.MakeCode(false, my.Translucent.count(prop) > 0).Way == rtw::Receiving::Sampled)
     {
       rtw::RequireSamples(fragmentShader);
     }
@@ -299,13 +291,10 @@ bool vtkAdaptiveShadowMapPass::PostReplaceShaderValues(std::string& vertexShader
   if (vtkPolyDataMapper::SafeDownCast(mapper))
   {
     const Internals& my = *this->Shadows;
-    rtw::Receiving receiving = rtw::Receiving::Direct;
-    if (my.Options.Masked && my.Translucent.count(prop) == 0)
-    {
-      receiving = my.Options.SamplesAPixel > 1 ? rtw::Receiving::Sampled : rtw::Receiving::Masked;
-    }
-    rtw::InjectReceiver({ vertexShader, geometryShader, fragmentShader }, my.Options.Shape,
-      receiving, my.DrawnByMappers.count(prop) > 0);
+    const rtw::ReceiverCode code =
+      my.MakeCode(my.DrawnByMappers.count(prop) > 0, my.Translucent.count(prop) > 0);
+    rtw::InjectReceiver(
+      { vertexShader, geometryShader, fragmentShader }, code.Shape, code.Way, code.DrawsItself);
   }
   return true;
 }
@@ -326,7 +315,7 @@ bool vtkAdaptiveShadowMapPass::SetShaderParameters(vtkShaderProgram* program, vt
 
 vtkMTimeType vtkAdaptiveShadowMapPass::GetShaderStageMTime()
 {
-  return this->StageTime;
+  return 0; // other code is another object in the keys
 }
 
 void vtkAdaptiveShadowMapPass::ReleaseGraphicsResources(vtkWindow* w)

@@ -227,7 +227,6 @@ private:
   void DrawViewSamples(vtkRenderer* renderer);
 
   std::unique_ptr<Internals> Shadows;
-  vtkTimeStamp StageTime;
 };
 
 #endif
