@@ -70,6 +70,17 @@ rtw::ReceiverCode vtkAdaptiveShadowMapPass::Internals::MakeCode(
   return rtw::ReceiverCode::Make(this->Options.Shape, way, drawnByMappers);
 }
 
+bool vtkAdaptiveShadowMapPass::Internals::TakeTurns(vtkRenderer* renderer)
+{
+  const bool isBack = this->Renderer != renderer && this->OtherRenderer == renderer;
+  if (this->Renderer != renderer)
+  {
+    this->OtherRenderer = this->Renderer;
+    this->Renderer = renderer;
+  }
+  return isBack;
+}
+
 void vtkAdaptiveShadowMapPass::Internals::FindCodes()
 {
   for (const bool drawnByMappers : { false, true })

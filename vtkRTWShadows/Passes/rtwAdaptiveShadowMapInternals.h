@@ -33,6 +33,7 @@ public:
   vtkSmartPointer<rtw::ReceiverCodePass> Codes[2][2];
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   vtkWeakPointer<vtkRenderer> Renderer; ///< that the last bake was for
+  vtkWeakPointer<vtkRenderer> OtherRenderer; ///< that one was for before
   vtkSmartPointer<vtkShadowMapWarp> Warp; ///< that the pipeline uses; kept alive for its stage
   vtkSmartPointer<vtkShadowMapPartition> Partition; ///< likewise
   vtkSmartPointer<vtkImageData> MaskImage, MapImage, WarpImage, ImportanceImage, AliasingImage;
@@ -43,6 +44,7 @@ public:
   bool WarnedOfBrokenLights = false;
   bool WarnedOfResolution = false;
   bool WarnedOfUnits = false;
+  bool WarnedOfRenderers = false;
   bool WarnedOfFilterRadius = false;
   bool WarnedOfDebugShader = false;
   bool WarnedOfSource = false;
@@ -67,6 +69,8 @@ public:
   /// With the shape that the options have.
   rtw::ReceiverCode MakeCode(bool drawnByMappers, bool translucent) const;
   void FindCodes();
+  /// True where it comes back to a renderer after another one.
+  bool TakeTurns(vtkRenderer* renderer);
 
   /// While one lives, the mappers of those props draw with the pass's code, in that phase, and the maps are bound.
   class Attachment

@@ -135,7 +135,12 @@ void vtkAdaptiveShadowMapPass::Bake(const vtkRenderState* s)
     return;
   }
   my.Window = window;
-  my.Renderer = renderer;
+  if (my.TakeTurns(renderer) && !my.WarnedOfRenderers)
+  {
+    my.WarnedOfRenderers = true;
+    vtkWarningMacro("serves several renderers by turns, and draws the shadows of each anew in every "
+                    "frame; give each renderer a pass of its own");
+  }
   my.AwaitsDebugView = this->DebugView != NONE;
   renderer->UpdateLightsGeometryToFollowCamera();
   // Mappers that draw view samples look at them, and a classic chain lights nothing before.
