@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// By what a frame is recognised as the one before: numbers that change whenever something does that shadows depend on.
+// By what a frame is recognised as the one before: numbers that change whenever something does that
+// shadows depend on.
 #ifndef rtwSceneSignature_h
 #define rtwSceneSignature_h
 
@@ -16,11 +17,12 @@ namespace rtw
 {
 struct ScenePart;
 
-/// Of a mesh that is drawn from buffers of our own: its geometry and its place, and nothing of how it looks.
+/// Of a mesh that is drawn from buffers of our own: its geometry and its place, and nothing of how it
+/// looks.
 std::uint64_t SignPart(std::uint64_t signature, const ScenePart& part);
 
-/// Of a prop that VTK's mappers draw: all that may change its silhouette or what it cuts out, and in doubt more than that. What its
-/// bounds depend on has to be up to date.
+/// Of a prop that VTK's mappers draw: all that may change its silhouette or what it cuts out, and in
+/// doubt more than that. What its bounds depend on has to be up to date.
 std::uint64_t SignProp(std::uint64_t signature, vtkProp* prop);
 
 /// The parts of the latter, for props that hold mappers in ways of their own.

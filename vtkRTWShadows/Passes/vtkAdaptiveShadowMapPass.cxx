@@ -21,8 +21,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <set>
-#include <utility>
 
 vtkStandardNewMacro(vtkAdaptiveShadowMapPass);
 vtkInformationKeyMacro(vtkAdaptiveShadowMapPass, CASTS_SHADOW, Integer);
@@ -36,6 +34,7 @@ vtkAdaptiveShadowMapPass::vtkAdaptiveShadowMapPass()
   vtkNew<vtkAdaptiveShadowMapBakerPass> baker;
   this->SetShadowMapBakerPass(baker);
   this->Shadows->DefaultSequence = this->OpaqueSequence;
+  this->StageTime.Modified();
 }
 
 vtkAdaptiveShadowMapPass::~vtkAdaptiveShadowMapPass()
@@ -320,7 +319,7 @@ bool vtkAdaptiveShadowMapPass::SetShaderParameters(vtkShaderProgram* program, vt
 
 vtkMTimeType vtkAdaptiveShadowMapPass::GetShaderStageMTime()
 {
-  return 0; // other code is another object in the keys
+  return this->StageTime; // for good: other code is another object in the keys of props
 }
 
 void vtkAdaptiveShadowMapPass::ReleaseGraphicsResources(vtkWindow* w)

@@ -227,6 +227,7 @@ private:
   void DrawViewSamples(vtkRenderer* renderer);
 
   std::unique_ptr<Internals> Shadows;
+  vtkTimeStamp StageTime;
 };
 
 #endif
