@@ -3,6 +3,7 @@
 
 #include "rtwSceneActor.h"
 #include "rtwSceneLeaves.h"
+#include "rtwSceneSignature.h"
 #include "rtwView.h"
 
 #include "vtkActor.h"
@@ -97,9 +98,17 @@ bool KeepsAllInView(vtkRenderer* renderer)
 
 struct Collector
 {
+  struct KnownLeaf
+  {
+    const vtkObjectBase* Keys;
+    const vtkObjectBase* Mapper;
+    const vtkObjectBase* Actor;
+  };
+
   FrameScene Result;
   SceneKeys Keys;
   bool OwnDrawing;
+  std::vector<KnownLeaf> Leaves;
 
   void AddBounds(vtkProp* prop, bool plain, bool unsampledReceiver)
   {
@@ -196,6 +205,7 @@ struct Collector
       shading.DrawsItself = !plain || thick;
       shading.IsUnsampled = leaf.Actor->HasTranslucentPolygonalGeometry() != 0;
       this->Shade(owner, leaf, shading, leaves.HasOthers);
+      this->Leaves.push_back({ KeysOf(owner), leaf.Actor->GetMapper(), leaf.Actor });
       added.Translucent = added.Translucent || shading.IsUnsampled;
       if (plain)
       {
@@ -206,6 +216,7 @@ struct Collector
         continue;
       }
       added.Plain = false;
+      added.Drawn = Mix(Mix(added.Drawn, reinterpret_cast<std::uint64_t>(leaf.Actor)), leaf.ToWorld);
       this->Result.SamplesAreComplete = false;
       vtkSmartPointer<vtkMatrix4x4> place;
       if (leaf.Placed)
@@ -226,15 +237,11 @@ struct Collector
     signature = Mix(signature, std::uint64_t(casts) | std::uint64_t(receives) << 1);
     if (!added.Plain)
     {
-      signature = Mix(signature, std::uint64_t(prop->GetRedrawMTime()));
+      signature = Mix(SignProp(signature, prop), added.Drawn);
     }
     for (const ScenePart& part : added.Parts)
     {
-      signature = Mix(signature, reinterpret_cast<std::uint64_t>(part.Data));
-      signature = Mix(signature, std::uint64_t(MeshTime(part.Data)));
-      signature = Mix(Mix(signature, part.Look.LineWidth), part.Look.PointSize);
-      signature = Mix(Mix(signature, std::uint64_t(part.Look.Drawn)), std::uint64_t(part.Look.AllPoints));
-      signature = Mix(Mix(signature, std::uint64_t(part.Receives) | std::uint64_t(part.Hides) << 1), part.ToWorld);
+      signature = SignPart(signature, part);
     }
   }
 
@@ -265,32 +272,62 @@ struct Collector
     this->Result.Parts.insert(
       this->Result.Parts.end(), added.Parts.begin(), added.Parts.end());
   }
+
+  // Once all are known, since actors share mappers.
+  void SortKeys()
+  {
+    FrameScene& scene = this->Result;
+    if (scene.Shadings.empty())
+    {
+      return;
+    }
+    for (const KnownLeaf& leaf : this->Leaves)
+    {
+      const SceneShading* const ofKeys = scene.Find(leaf.Keys);
+      if (ofKeys || scene.Find(leaf.Mapper))
+      {
+        KeyShadings& there = scene.Keys[leaf.Keys];
+        there.IsMixed = ofKeys && ofKeys->IsMixed;
+        if (const auto shading = scene.FindShading(leaf.Mapper, leaf.Actor, leaf.Keys))
+        {
+          there.Has[shading->DrawsItself][shading->IsUnsampled] = true;
+        }
+      }
+    }
+  }
 };
+}
+
+const SceneShading* FrameScene::Find(const vtkObjectBase* object) const
+{
+  const auto found = this->Shadings.find(object);
+  return found == this->Shadings.end() ? nullptr : &found->second;
+}
+
+std::optional<SceneShading> FrameScene::FindShading(
+  const vtkObjectBase* mapper, const vtkObjectBase* actor, const vtkObjectBase* keys) const
+{
+  const SceneShading* const shared = this->Find(keys);
+  const SceneShading* own = this->Find(actor);
+  if (!own && shared && shared->IsMixed)
+  {
+    return std::nullopt;
+  }
+  own = own ? own : shared;
+  SceneShading shading = own ? *own : SceneShading();
+  // A mapper keeps one program, whichever of its actors it draws.
+  if (const SceneShading* const ofMapper = this->Find(mapper))
+  {
+    shading.DrawsItself = shading.DrawsItself || ofMapper->DrawsItself;
+    shading.IsUnsampled = shading.IsUnsampled || ofMapper->IsUnsampled;
+  }
+  return shading;
 }
 
 std::optional<SceneShading> FrameScene::FindShading(
   const vtkObjectBase* mapper, vtkProp* prop) const
 {
-  const auto find = [this](const vtkObjectBase* object) {
-    const auto found = this->Shadings.find(object);
-    return found == this->Shadings.end() ? nullptr : &found->second;
-  };
-  const SceneShading* const keys = find(prop->GetPropertyKeys());
-  const SceneShading* own = find(prop);
-  const SceneShading* const shared = find(mapper);
-  if (!own && !shared && keys && keys->IsMixed)
-  {
-    return std::nullopt;
-  }
-  own = own ? own : keys;
-  SceneShading shading = own ? *own : SceneShading();
-  // A mapper keeps one program, whichever of its actors it draws.
-  if (shared)
-  {
-    shading.DrawsItself = shading.DrawsItself || shared->DrawsItself;
-    shading.IsUnsampled = shading.IsUnsampled || shared->IsUnsampled;
-  }
-  return shading;
+  return this->FindShading(mapper, prop, prop->GetPropertyKeys());
 }
 
 FrameScene CollectScene(vtkRenderer* renderer, const SceneKeys& keys, bool ownDrawing)
@@ -304,6 +341,7 @@ FrameScene CollectScene(vtkRenderer* renderer, const SceneKeys& keys, bool ownDr
   {
     collector.Add(prop);
   }
+  collector.SortKeys();
   return std::move(collector.Result);
 }
 }

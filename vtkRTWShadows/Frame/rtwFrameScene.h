@@ -63,6 +63,13 @@ struct SceneShading
   }
 };
 
+/// How all that draws with the same keys is shaded.
+struct KeyShadings
+{
+  bool Has[2][2] = {}; ///< by whether it draws itself, and whether it is unsampled
+  bool IsMixed = false;
+};
+
 /// What somebody might expect a prop to cast or receive, and won't get.
 struct SceneRefusal
 {
@@ -78,6 +85,8 @@ struct FrameScene
   /// Of actors and mappers that aren't shaded as most are, and of the keys that such an actor shares with what VTK draws in its
   /// stead. Only the addresses are used.
   std::map<const vtkObjectBase*, SceneShading> Shadings;
+  /// Of the keys with which anything is drawn that isn't shaded as most is.
+  std::map<const vtkObjectBase*, KeyShadings> Keys;
   std::vector<SceneRefusal> Refusals;
   glm::dvec3 Low{ 0 }; ///< of all that has bounds
   glm::dvec3 High{ 0 };
@@ -93,6 +102,10 @@ struct FrameScene
 
   /// Of what a mapper draws as one of the props that are shaded; nothing where that is to stay as it is.
   std::optional<SceneShading> FindShading(const vtkObjectBase* mapper, vtkProp* prop) const;
+  std::optional<SceneShading> FindShading(
+    const vtkObjectBase* mapper, const vtkObjectBase* actor, const vtkObjectBase* keys) const;
+  /// Null for what is shaded as most is.
+  const SceneShading* Find(const vtkObjectBase* object) const;
   bool IsEmpty() const { return this->Parts.empty() && this->Props.empty(); }
 };
 

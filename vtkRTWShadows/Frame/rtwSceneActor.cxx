@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rtwSceneActor.h"
 
+#include "rtwSceneSignature.h"
 #include "rtwVTKCompatibility.h"
 
 #include "vtkActor.h"
@@ -17,6 +18,7 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
+#include "vtkScalarsToColors.h"
 #include "vtkShaderProperty.h"
 #include "vtkTexture.h"
 
@@ -75,24 +77,48 @@ bool DrawsItsMapper(vtkActor* actor)
     [actor](const char* name) { return std::strcmp(actor->GetClassName(), name) == 0; });
 }
 
+// Whether a mapper draws what it did when it last set up the mapper of its surface, which it does only to draw.
+bool IsSetUp(vtkDataSetMapper* mapper, vtkMapper* surface)
+{
+  if (mapper->GetNumberOfInputConnections(0) == 0 || surface->GetNumberOfInputConnections(0) == 0 ||
+    mapper->GetClippingPlanes() != surface->GetClippingPlanes())
+  {
+    return false;
+  }
+  mapper->Update(); // because the surface is cut off from where the data comes from
+  vtkAlgorithm* source = surface->GetInputAlgorithm();
+  return surface->GetInputConnection(0, 0) == mapper->GetInputConnection(0, 0) ||
+    (source->GetNumberOfInputPorts() > 0 && source->GetNumberOfInputConnections(0) > 0 &&
+      source->GetInputDataObject(0, 0) == mapper->GetInput());
+}
+
 // Of a vtkDataSetMapper the mapper that draws its surface, which exists from its first frame on.
 vtkMapper* DrawingMapper(vtkActor* actor)
 {
   vtkMapper* mapper = ChosenMapper(actor);
-  auto* surface = mapper && std::strcmp(mapper->GetClassName(), "vtkDataSetMapper") == 0
-    ? vtkDataSetMapper::SafeDownCast(mapper)->GetPolyDataMapper()
-    : nullptr;
-  return surface ? surface : mapper;
+  if (!mapper || std::strcmp(mapper->GetClassName(), "vtkDataSetMapper") != 0)
+  {
+    return mapper;
+  }
+  auto* whole = vtkDataSetMapper::SafeDownCast(mapper);
+  vtkMapper* surface = whole->GetPolyDataMapper();
+  return surface && IsSetUp(whole, surface) ? surface : mapper;
 }
 
 bool CutsOut(vtkTexture* texture)
 {
-  if (!texture || !texture->GetInput())
+  if (!texture)
+  {
+    return false;
+  }
+  UpdateTexture(texture);
+  if (!texture->GetInput())
   {
     return false;
   }
   const int components = texture->GetInput()->GetNumberOfScalarComponents();
-  return components == 2 || components == 4;
+  vtkScalarsToColors* colours = texture->GetLookupTable();
+  return components == 2 || components == 4 || (colours && !colours->IsOpaque());
 }
 
 bool HasCutOuts(vtkActor* actor)

@@ -104,10 +104,93 @@ std::uint64_t vtkAdaptiveShadowMapPass::Internals::Sign(
       std::uint64_t(o.Casters.Bends) << 8);
 }
 
+rtw::ReceiverCode vtkAdaptiveShadowMapPass::Internals::MakeCode(
+  bool drawsItself, bool unsampled) const
+{
+  rtw::Receiving way = rtw::Receiving::Direct;
+  if (this->Options.Masked && !unsampled)
+  {
+    way = this->Options.SamplesAPixel > 1 ? rtw::Receiving::Sampled : rtw::Receiving::Masked;
+  }
+  return rtw::ReceiverCode::Make(this->Options.Shape, way, drawsItself);
+}
+
+bool vtkAdaptiveShadowMapPass::Internals::TakeTurns(vtkRenderer* renderer)
+{
+  const bool isBack = this->Renderer != renderer && this->OtherRenderer == renderer;
+  if (this->Renderer != renderer)
+  {
+    this->OtherRenderer = this->Renderer;
+    this->Renderer = renderer;
+  }
+  return isBack;
+}
+
+namespace
+{
+// The one whose code all parts have; null where they have several.
+const bool* OnlyOneOf(const rtw::KeyShadings& shadings)
+{
+  const bool* const first = &shadings.Has[0][0];
+  const bool isOne = !shadings.IsMixed && std::count(first, first + 4, true) == 1;
+  return isOne ? std::find(first, first + 4, true) : nullptr;
+}
+
+std::string NameOf(const rtw::KeyShadings& shadings)
+{
+  std::string name = shadings.IsMixed ? "some of:" : "all of:";
+  for (const bool has : { shadings.Has[0][0], shadings.Has[0][1], shadings.Has[1][0], shadings.Has[1][1] })
+  {
+    name += has ? '1' : '0';
+  }
+  return name;
+}
+}
+
+void vtkAdaptiveShadowMapPass::Internals::FindCodes()
+{
+  std::string names;
+  for (const bool drawsItself : { false, true })
+  {
+    for (const bool unsampled : { false, true })
+    {
+      const std::string name = this->MakeCode(drawsItself, unsampled).GetName();
+      this->Codes[drawsItself][unsampled] = rtw::ReceiverCodePass::Of(name);
+      names += name + "; ";
+    }
+  }
+  std::map<std::string, vtkSmartPointer<rtw::ReceiverCodePass>> mixed;
+  for (const auto& [keys, shadings] : this->Scene.Keys)
+  {
+    if (!OnlyOneOf(shadings))
+    {
+      const std::string name = NameOf(shadings);
+      mixed[name] = rtw::ReceiverCodePass::Of(names + name);
+    }
+  }
+  this->MixedCodes = std::move(mixed);
+}
+
+vtkSmartPointer<rtw::ReceiverCodePass> vtkAdaptiveShadowMapPass::Internals::CodeOf(
+  const vtkObjectBase* keys) const
+{
+  const auto found = this->Scene.Keys.find(keys);
+  if (found == this->Scene.Keys.end())
+  {
+    return this->Codes[0][0];
+  }
+  if (const bool* const only = OnlyOneOf(found->second))
+  {
+    const auto index = only - &found->second.Has[0][0];
+    return this->Codes[index / 2][index % 2];
+  }
+  return this->MixedCodes.at(NameOf(found->second));
+}
+
 vtkAdaptiveShadowMapPass::Internals::Attachment::Attachment(Internals& internals, vtkAdaptiveShadowMapPass* pass,
   const std::vector<vtkProp*>& props, rtw::Phase phase, int layer)
   : My(internals)
-  , Pass(pass)
+  , Answering(pass)
 {
   vtkTextureUnitManager* manager = this->My.Window->GetTextureUnitManager();
   const bool hasGrid = this->My.Pipeline.GetShape().Kind == rtw::WarpKind::Grid;
@@ -150,10 +233,11 @@ vtkAdaptiveShadowMapPass::Internals::Attachment::Attachment(Internals& internals
       keys->FastDelete();
     }
     // Props may share theirs, and shader code would be put in twice.
-    if (!HasPass(keys, this->Pass))
+    const vtkSmartPointer<rtw::ReceiverCodePass> code = this->My.CodeOf(keys);
+    if (!HasPass(keys, code))
     {
-      keys->Append(vtkOpenGLRenderPass::RenderPasses(), this->Pass);
-      this->Keys.emplace_back(keys);
+      keys->Append(vtkOpenGLRenderPass::RenderPasses(), code);
+      this->Keys.push_back({ keys, code });
     }
   }
 }
@@ -164,9 +248,10 @@ vtkAdaptiveShadowMapPass::Internals::Attachment::~Attachment()
   if (this->IsComplete())
   {
     this->Bound.GiveBack();
-    for (vtkInformation* keys : this->Keys)
+    for (const Attached& attached : this->Keys)
     {
-      keys->Remove(vtkOpenGLRenderPass::RenderPasses(), this->Pass);
+      vtkInformation* keys = attached.Keys;
+      keys->Remove(vtkOpenGLRenderPass::RenderPasses(), attached.Code);
       if (keys->Length(vtkOpenGLRenderPass::RenderPasses()) == 0)
       {
         keys->Remove(vtkOpenGLRenderPass::RenderPasses());

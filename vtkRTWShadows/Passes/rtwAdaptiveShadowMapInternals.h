@@ -5,7 +5,7 @@
 
 #include "rtwImages.h"
 #include "rtwLightCollector.h"
-#include "rtwReceiverShader.h"
+#include "rtwReceiverCode.h"
 #include "rtwFrameScene.h"
 #include "rtwShadowPipeline.h"
 #include "rtwStateRecord.h"
@@ -30,6 +30,7 @@ struct Warnings
   bool WarnedOfBrokenLights = false;
   bool WarnedOfResolution = false;
   bool WarnedOfUnits = false;
+  bool WarnedOfRenderers = false;
   bool WarnedOfFilterRadius = false;
   bool WarnedOfDebugShader = false;
   bool WarnedOfSource = false;
@@ -52,15 +53,19 @@ public:
   rtw::ReceiverUniforms Uniforms;
   rtw::LightCollection Lights;
   rtw::FrameScene Scene;
+  /// Of the code of props, by whether they draw themselves and whether they are unsampled.
+  vtkSmartPointer<rtw::ReceiverCodePass> Codes[2][2];
+  /// Of props whose parts have different code, by all of it.
+  std::map<std::string, vtkSmartPointer<rtw::ReceiverCodePass>> MixedCodes;
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   vtkWeakPointer<vtkRenderer> Renderer; ///< that the last bake was for
+  vtkWeakPointer<vtkRenderer> OtherRenderer; ///< that one was for before
   vtkSmartPointer<vtkShadowMapWarp> Warp; ///< that the pipeline uses; kept alive for its stage
   vtkSmartPointer<vtkShadowMapPartition> Partition; ///< likewise
   vtkSmartPointer<vtkImageData> MaskImage, MapImage, WarpImage, ImportanceImage, AliasingImage;
   vtkRenderPass* DefaultSequence = nullptr; ///< only compared with
   /// Whose refusals were said, as long as they live.
   std::map<vtkProp*, vtkWeakPointer<vtkProp>> Refused;
-  bool WasMasked = false;
   bool AwaitsDebugView = false; ///< of what is drawn next, the first since the bake
 
   bool Has(int light) const
@@ -82,6 +87,11 @@ public:
   void UseWarp(vtkShadowMapWarp* warp);
   void UsePartition(vtkShadowMapPartition* partition);
   std::uint64_t Sign(vtkMTimeType warpTime, vtkMTimeType partitionTime) const;
+  /// With the shape that the options have.
+  rtw::ReceiverCode MakeCode(bool drawnByMappers, bool translucent) const;
+  void FindCodes();
+  /// True where it comes back to a renderer after another one.
+  bool TakeTurns(vtkRenderer* renderer);
 
   /// While one lives, the mappers of those props draw with the pass's code, in that phase, and the maps are bound.
   class Attachment
@@ -97,8 +107,13 @@ public:
 
   private:
     Internals& My;
-    vtkAdaptiveShadowMapPass* Pass;
-    std::vector<vtkSmartPointer<vtkInformation>> Keys;
+    rtw::ReceiverCodePass::Answering Answering;
+    struct Attached
+    {
+      vtkSmartPointer<vtkInformation> Keys;
+      vtkSmartPointer<rtw::ReceiverCodePass> Code;
+    };
+    std::vector<Attached> Keys;
     std::vector<int> Units;
     std::size_t Needed;
     rtw::StateRecord Bound;

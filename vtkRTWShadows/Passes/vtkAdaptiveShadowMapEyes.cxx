@@ -6,16 +6,12 @@
 
 #include <utility>
 
-// What decides about shaders is as for the left eye, so that a second one has none rebuilt.
 vtkAdaptiveShadowMapPass::Internals::Internals(const Internals* left)
   : rtw::Warnings(*left)
   , RightEye(true)
   , Pipeline(&left->Pipeline)
   , Options(left->Options)
-  , DrawnByMappers(left->DrawnByMappers)
-  , Translucent(left->Translucent)
   , DefaultSequence(left->DefaultSequence)
-  , WasMasked(left->WasMasked)
 {
 }
 

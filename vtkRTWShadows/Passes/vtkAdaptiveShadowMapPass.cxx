@@ -154,7 +154,12 @@ void vtkAdaptiveShadowMapPass::Bake(const vtkRenderState* s)
     return;
   }
   my.Window = window;
-  my.Renderer = renderer;
+  if (my.TakeTurns(renderer) && !my.WarnedOfRenderers)
+  {
+    my.WarnedOfRenderers = true;
+    vtkWarningMacro("serves several renderers by turns, and draws the shadows of each anew in every "
+                    "frame; give each renderer a pass of its own");
+  }
   my.AwaitsDebugView = this->DebugView != NONE;
   renderer->UpdateLightsGeometryToFollowCamera();
   // Mappers that draw view samples look at them, and a classic chain lights nothing before.
@@ -163,7 +168,6 @@ void vtkAdaptiveShadowMapPass::Bake(const vtkRenderState* s)
     lit->UpdateLights();
   }
   my.Lights = rtw::CollectLights(renderer);
-  const auto shadings = std::move(my.Scene.Shadings);
   my.Scene = rtw::CollectScene(
     renderer, { CASTS_SHADOW(), RECEIVES_SHADOW() }, my.Pipeline.HasOwnDrawing());
   this->WarnOnce();
@@ -193,7 +197,6 @@ void vtkAdaptiveShadowMapPass::Bake(const vtkRenderState* s)
   // Samples of a pixel see other surfaces than its centre; without own programs a mask would cost a pass through VTK's mappers.
   const int samples = window->GetMultiSamples() <= 1 ? 1 : my.Pipeline.CountMaskSamples();
   my.Options.Masked = my.Pipeline.HasOwnDrawing() && samples > 0 && !my.Options.PreviousFrame;
-  const int samplesBefore = my.Options.SamplesAPixel;
   my.Options.SamplesAPixel = my.Options.Masked ? samples : 1;
   rtw::ReceiverShape shape{ my.Pipeline.GetShape(), {}, this->Filter, this->DepthTest,
     my.Pipeline.CountOtherLayers(my.Scene, lights * parts) > 0, parts,
@@ -202,13 +205,8 @@ void vtkAdaptiveShadowMapPass::Bake(const vtkRenderState* s)
   {
     shape.Switched.push_back(light.Switched);
   }
-  if (!(shape == my.Options.Shape) || shadings != my.Scene.Shadings ||
-    my.WasMasked != my.Options.Masked || (samplesBefore > 1) != (my.Options.SamplesAPixel > 1))
-  {
-    my.Options.Shape = shape;
-    my.WasMasked = my.Options.Masked;
-    this->StageTime.Modified();
-  }
+  my.Options.Shape = shape;
+  my.FindCodes();
   my.Options.Signature = my.Sign(this->Warp->GetMTime(), this->Partition->GetMTime());
   my.Pipeline.Update(rtw::ViewOf(s), my.Scene, my.Lights.Shadowing, my.Options,
     { [this, renderer] { this->DrawViewSamples(renderer); },
@@ -302,11 +300,13 @@ void vtkAdaptiveShadowMapPass::RenderLit(const vtkRenderState* s, vtkRenderPass*
 bool vtkAdaptiveShadowMapPass::PreReplaceShaderValues(
   std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop)
 {
-  if (vtkPolyDataMapper::SafeDownCast(mapper) && this->Shadows->Scene.FindShading(mapper, prop))
+  const Internals& my = *this->Shadows;
+  const std::optional<rtw::SceneShading> shading = my.Scene.FindShading(mapper, prop);
+  if (vtkPolyDataMapper::SafeDownCast(mapper) && shading)
   {
     ++this->NumberOfShaderBuilds;
     rtw::MarkPlaces(fragmentShader);
-    if (this->Shadows->Options.SamplesAPixel > 1)
+    if (my.MakeCode(false, shading->IsUnsampled).Way == rtw::Receiving::Sampled)
     {
       rtw::RequireSamples(fragmentShader);
     }
@@ -321,13 +321,9 @@ bool vtkAdaptiveShadowMapPass::PostReplaceShaderValues(std::string& vertexShader
   const std::optional<rtw::SceneShading> shading = my.Scene.FindShading(mapper, prop);
   if (vtkPolyDataMapper::SafeDownCast(mapper) && shading)
   {
-    rtw::Receiving receiving = rtw::Receiving::Direct;
-    if (my.Options.Masked && !shading->IsUnsampled)
-    {
-      receiving = my.Options.SamplesAPixel > 1 ? rtw::Receiving::Sampled : rtw::Receiving::Masked;
-    }
-    rtw::InjectReceiver({ vertexShader, geometryShader, fragmentShader }, my.Options.Shape,
-      receiving, shading->DrawsItself);
+    const rtw::ReceiverCode code = my.MakeCode(shading->DrawsItself, shading->IsUnsampled);
+    rtw::InjectReceiver(
+      { vertexShader, geometryShader, fragmentShader }, code.Shape, code.Way, code.DrawsItself);
   }
   return true;
 }
@@ -366,7 +362,7 @@ bool vtkAdaptiveShadowMapPass::SetShaderParameters(vtkShaderProgram* program,
 
 vtkMTimeType vtkAdaptiveShadowMapPass::GetShaderStageMTime()
 {
-  return this->StageTime;
+  return this->StageTime; // for good: other code is another object in the keys of props
 }
 
 void vtkAdaptiveShadowMapPass::ReleaseGraphicsResources(vtkWindow* w)
