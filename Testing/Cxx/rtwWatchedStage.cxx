@@ -119,7 +119,7 @@ void rtwWatchedStage::Look(const std::string& what, const std::function<void()>&
 
 void rtwWatchedStage::CheckReadOuts()
 {
-  Pass* pass = this->Pass;
+  vtkAdaptiveShadowMapPass* pass = this->Pass;
   vtkNew<vtkMatrix4x4> matrix;
   double range[2];
   this->Look("mask", [&] { RTW_CHECK(pass->GetShadowMask(0)); });
