@@ -3,6 +3,7 @@
 #ifndef rtwAdaptiveShadowMapInternals_h
 #define rtwAdaptiveShadowMapInternals_h
 
+#include "rtwDetachment.h"
 #include "rtwImages.h"
 #include "rtwLightCollector.h"
 #include "rtwReceiverShader.h"
@@ -16,6 +17,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -93,6 +95,7 @@ public:
     Internals& My;
     vtkAdaptiveShadowMapPass* Pass;
     std::vector<vtkProp*> Props;
+    std::optional<rtw::Detachment> Alone; ///< where it isn't the picture that is drawn
     std::vector<int> Units;
     std::size_t Needed;
   };
