@@ -15,10 +15,13 @@ from vtkmodules.vtkRenderingCore import (  # noqa: E402
     vtkLight,
     vtkPolyDataMapper,
     vtkRenderer,
-    vtkRenderPassCollection,
     vtkRenderWindow,
 )
-from vtkmodules.vtkRenderingOpenGL2 import vtkCameraPass, vtkSequencePass  # noqa: E402
+from vtkmodules.vtkRenderingOpenGL2 import (  # noqa: E402
+    vtkCameraPass,
+    vtkRenderPassCollection,
+    vtkSequencePass,
+)
 
 TECHNIQUES = rtwshadows.available_techniques()
 
@@ -80,7 +83,7 @@ class Stage:
         """What the window shows now, from below to above."""
         width, height = self.window.GetSize()
         pixels = vtkUnsignedCharArray()
-        self.window.GetPixelData(0, 0, width - 1, height - 1, 0, pixels)
+        self.window.GetPixelData(0, 0, width - 1, height - 1, 0, pixels, 0)
         return vtk_to_numpy(pixels).astype(int).reshape(height, width, 3)
 
     def picture(self):

@@ -34,6 +34,7 @@ except ImportError:
 POINTS = vtkDataObject.FIELD_ASSOCIATION_POINTS
 CELLS = vtkDataObject.FIELD_ASSOCIATION_CELLS
 SIZE = (120, 90)
+BLOCKS = 4  # among the props
 
 
 def add_blocks(stage):
@@ -92,11 +93,14 @@ class Picks(Stage):
         for i in range(selection.GetNumberOfNodes()):
             node = selection.GetNode(i)
             keys = node.GetProperties()
-            prop = self.props.index(keys.Get(vtkSelectionNode.PROP()))
+            prop = keys.Get(vtkSelectionNode.PROP())
+            prop = self.props.index(prop) if prop in self.props else -1
             block = keys.Get(vtkSelectionNode.COMPOSITE_INDEX())
             ids = sorted(vtk_to_numpy(node.GetSelectionList()).tolist())
-            found.append((prop, block, keys.Get(vtkSelectionNode.PIXEL_COUNT()), ids))
-        return sorted(found)
+            pixels = keys.Get(vtkSelectionNode.PIXEL_COUNT())
+            # Only blocks have a number, and VTK draws them in any order: which of two points at a place is seen is chance.
+            found.append((prop, block, None, ids) if prop == BLOCKS else (prop, None, pixels, ids))
+        return sorted(found, key=str)
 
     def pick_props(self):
         """On a grid of 10 × 9 places: the prop, and where on it."""
@@ -149,7 +153,7 @@ class TestPicking(unittest.TestCase):
     def test_without_shadows_there_is_much_to_find(self):
         self.assertGreater(sum(len(node[3]) for node in self.right["cells"]), 150)
         self.assertEqual({node[0] for node in self.right["cells"]}, {0, 1, 2, 4, 5})
-        self.assertEqual(len({node[1] for node in self.right["cells"] if node[0] == 4}), 3)
+        self.assertEqual(len({node[1] for node in self.right["cells"] if node[0] == BLOCKS}), 3)
         self.assertGreater(sum(1 for hit in self.right["props"] if hit[0]), 40)
 
     def test_every_technique(self):

@@ -205,6 +205,10 @@ vtkAdaptiveShadowMapPass::Internals::Attachment::Attachment(Internals& internals
     }
     this->Units.push_back(unit);
   }
+  if (phase != rtw::Phase::Picture)
+  {
+    this->Alone.emplace(props);
+  }
   this->My.Uniforms = this->My.Pipeline.MakeUniforms(this->My.Options);
   rtw::ReceiverUniforms& uniforms = this->My.Uniforms;
   const std::vector<rtw::LightFrame>& frames = this->My.Pipeline.GetLayerFrames();

@@ -3,6 +3,7 @@
 #ifndef rtwAdaptiveShadowMapInternals_h
 #define rtwAdaptiveShadowMapInternals_h
 
+#include "rtwDetachment.h"
 #include "rtwImages.h"
 #include "rtwLightCollector.h"
 #include "rtwReceiverCode.h"
@@ -18,6 +19,7 @@
 #include "vtkWeakPointer.h"
 
 #include <map>
+#include <optional>
 #include <vector>
 
 namespace rtw
@@ -114,6 +116,7 @@ public:
       vtkSmartPointer<rtw::ReceiverCodePass> Code;
     };
     std::vector<Attached> Keys;
+    std::optional<rtw::Detachment> Alone; ///< where it isn't the picture that is drawn
     std::vector<int> Units;
     std::size_t Needed;
     rtw::StateRecord Bound;

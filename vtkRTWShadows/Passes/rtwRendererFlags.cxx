@@ -4,6 +4,7 @@
 #include "rtwOpenGL.h"
 #include "rtwVTKCompatibility.h"
 
+#include "vtkActor.h"
 #include "vtkDualDepthPeelingPass.h"
 #include "vtkFXAAOptions.h"
 #include "vtkHiddenLineRemovalPass.h"
@@ -12,13 +13,16 @@
 #include "vtkOpenGLRenderer.h"
 #include "vtkOpenGLState.h"
 #include "vtkOrderIndependentTranslucentPass.h"
-#include "vtkProp.h"
+#include "vtkProperty.h"
 #include "vtkRenderState.h"
 #include "vtkSSAOPass.h"
+#include "vtkTimeStamp.h"
 #include "vtkTranslucentPass.h"
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
+#include <vector>
 
 namespace rtw
 {
@@ -29,6 +33,40 @@ bool IsPlain(vtkRenderPass* pass, const char* name)
   return pass && std::strcmp(pass->GetClassName(), name) == 0;
 }
 }
+
+// VTK's pass draws wireframes as surfaces too, by changing their properties and changing them back: nothing that a frame
+// after it would have to be drawn anew for.
+class HiddenLinesStep : public vtkRenderPass
+{
+public:
+  static HiddenLinesStep* New();
+  vtkTypeMacro(HiddenLinesStep, vtkRenderPass);
+
+  void Render(const vtkRenderState* s) override
+  {
+    std::vector<std::pair<vtkProperty*, vtkTimeStamp>> times;
+    for (int i = 0; i < s->GetPropArrayCount(); ++i)
+    {
+      auto* actor = vtkActor::SafeDownCast(s->GetPropArray()[i]);
+      if (actor && actor->GetProperty()->GetRepresentation() == VTK_WIREFRAME)
+      {
+        times.emplace_back(actor->GetProperty(), TimeOf(actor->GetProperty()));
+      }
+    }
+    this->Pass->Render(s);
+    this->NumberOfRenderedProps = this->Pass->GetNumberOfRenderedProps();
+    for (const auto& [property, time] : times)
+    {
+      TimeOf(property) = time;
+    }
+  }
+
+private:
+  static vtkTimeStamp& TimeOf(vtkObject* object) { return object->*(&HiddenLinesStep::MTime); }
+
+  vtkNew<vtkHiddenLineRemovalPass> Pass;
+};
+vtkStandardNewMacro(HiddenLinesStep);
 
 // VTK's filter looks for the picture where the renderer has it in the window.
 class FXAAStep : public vtkRenderPass
@@ -162,7 +200,6 @@ vtkRenderPass* RendererFlags::AfterTranslucent(const vtkRenderState* s)
 
 void RendererFlags::ReleaseGraphicsResources(vtkWindow* w)
 {
-  this->HiddenLines->ReleaseGraphicsResources(w);
   this->Occlusion->ReleaseGraphicsResources(w);
   this->Blending->ReleaseGraphicsResources(w);
   this->Smoothing->ReleaseGraphicsResources(w);

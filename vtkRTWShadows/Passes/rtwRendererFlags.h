@@ -8,7 +8,6 @@
 #include "vtkSmartPointer.h"
 
 class vtkDepthPeelingPass;
-class vtkHiddenLineRemovalPass;
 class vtkOrderIndependentTranslucentPass;
 class vtkRenderPass;
 class vtkRenderState;
@@ -18,6 +17,7 @@ class vtkWindow;
 namespace rtw
 {
 class FXAAStep;
+class HiddenLinesStep;
 
 class RendererFlags
 {
@@ -50,7 +50,7 @@ private:
   bool HidesLines = false;
   bool HasTranslucent = false;
   bool PeeledVolumes = false;
-  vtkNew<vtkHiddenLineRemovalPass> HiddenLines;
+  vtkNew<HiddenLinesStep> HiddenLines;
   vtkNew<vtkSSAOPass> Occlusion;
   vtkNew<vtkOrderIndependentTranslucentPass> Blending;
   vtkSmartPointer<vtkDepthPeelingPass> Peeling; ///< which of two: known with the first window

@@ -1,24 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rtwSelection.h"
 
+#include "rtwDetachment.h"
 #include "rtwOpenGL.h"
 
-#include "vtkInformation.h"
-#include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLFramebufferObject.h"
-#include "vtkOpenGLRenderPass.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
-#include "vtkProp.h"
+#include "vtkRenderPass.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
 #include "vtkRendererCollection.h"
-#include "vtkSmartPointer.h"
-
-#include <utility>
-#include <vector>
 
 namespace rtw
 {
@@ -41,42 +35,6 @@ public:
   }
 };
 vtkStandardNewMacro(RendererSteps);
-
-// While one lives, no pass has code in the shaders of a state's props: a selector's colours are numbers.
-class Detachment
-{
-public:
-  explicit Detachment(const vtkRenderState* s)
-  {
-    for (int i = 0; i < s->GetPropArrayCount(); ++i)
-    {
-      vtkInformation* keys = s->GetPropArray()[i]->GetPropertyKeys();
-      const int passes = keys ? keys->Length(vtkOpenGLRenderPass::RenderPasses()) : 0;
-      for (int k = 0; k < passes; ++k)
-      {
-        this->Attached.emplace_back(keys, keys->Get(vtkOpenGLRenderPass::RenderPasses(), k));
-      }
-      if (passes > 0)
-      {
-        keys->Remove(vtkOpenGLRenderPass::RenderPasses());
-      }
-    }
-  }
-
-  ~Detachment()
-  {
-    for (const auto& [keys, pass] : this->Attached)
-    {
-      keys->Append(vtkOpenGLRenderPass::RenderPasses(), pass);
-    }
-  }
-
-  Detachment(const Detachment&) = delete;
-  Detachment& operator=(const Detachment&) = delete;
-
-private:
-  std::vector<std::pair<vtkSmartPointer<vtkInformation>, vtkSmartPointer<vtkObjectBase>>> Attached;
-};
 }
 
 bool RenderSelection(const vtkRenderState* s)
@@ -88,7 +46,8 @@ bool RenderSelection(const vtkRenderState* s)
   }
   window->MakeCurrent();
   vtkOpenGLState* state = window->GetState();
-  const Detachment detachment(s);
+  // A selector's colours are numbers.
+  const Detachment detachment({ s->GetPropArray(), s->GetPropArray() + s->GetPropArrayCount() });
   vtkOpenGLState::ScopedglViewport viewport(state);
   vtkOpenGLState::ScopedglScissor scissor(state);
   vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
