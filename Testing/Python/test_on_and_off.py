@@ -192,8 +192,8 @@ class TestOnAndOff(unittest.TestCase):
         dice = random.Random(19)
         self.go(mixed, [(dice.randrange(len(mixed)), dice.randrange(2)) for _ in range(times)])
         after = count_gl_objects(gl), count_python_objects(), heap_in_use(), resident()
-        print(f"{times} times: GL objects {sum(before[0].values())}, then {sum(after[0].values())}; "
-              f"passes and lights {before[1]}, then {after[1]}; "
+        print(f"{times} times: GL objects {sum(before[0].values())}, "
+              f"then {sum(after[0].values())}; passes and lights {before[1]}, then {after[1]}; "
               f"heap {before[2]}, then {after[2]}; resident {before[3]}, then {after[3]}")
         for kind, count in after[0].items():
             # A variant of a program that comes up late is kept as the others are.
