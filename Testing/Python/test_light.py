@@ -148,6 +148,18 @@ class TestLight(unittest.TestCase):
         picture(window)
         self.assertEqual(lamp.GetPosition(), position)
 
+    def test_the_scene_comes_later_into_a_window_in_use(self):
+        renderer = vtkRenderer()
+        window = make_window(make_renderer())
+        picture(window)
+        window.AddRenderer(renderer)
+        rtwshadows.enable_shadows(renderer, light="lamp")
+        add_actor(renderer, ball((100, 200, 300), 50))
+        picture(window)
+        lamp = every_light(renderer)[-1]
+        for got, centre in zip(lamp.GetFocalPoint(), (100, 200, 300)):
+            self.assertAlmostEqual(got, centre, delta=1)
+
     def test_sun_stands_where_its_name_says(self):
         """Left of the view, above in the scene and on the viewer's side, in z-up and y-up scenes,
         and however the camera is inclined."""
