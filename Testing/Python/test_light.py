@@ -8,6 +8,7 @@ import warnings
 
 import rtwshadows
 from stage import add_actor, ball, darker, make_renderer, make_window, picture
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkRenderingCore import vtkLight, vtkRenderer
 
 LIGHTS = ("sun", "lamp", "camera-left", (1, -0.5, 2))
@@ -34,10 +35,8 @@ def warnings_of(call):
     return [one for one in caught if issubclass(one.category, UserWarning)]
 
 
-def shadow_of(renderer, window, shadows, light):
+def shadow_of(shadows, light):
     """The pixels in its shadow, by the mask, from the bottom."""
-    from vtkmodules.util.numpy_support import vtk_to_numpy
-
     image = shadows.GetShadowMask(light)
     width, height, _ = image.GetDimensions()
     return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width) < 64
@@ -99,9 +98,8 @@ class TestLight(unittest.TestCase):
                 shadows = rtwshadows.enable_shadows(renderer, light=light)
                 with_shadows = picture(window)
                 self.assertEqual(shadows.GetNumberOfShadowLights(), 1)
-                shadow = shadow_of(renderer, window, shadows, 0)
+                shadow = shadow_of(shadows, 0)
                 self.assertTrue(0.005 < shadow.mean() < 0.1, shadow.mean())
-                shadows.SetDebugViewToNone()
                 for other in every_light(renderer):
                     other.SetShadowAttenuation(0)
                 lit = picture(window)
@@ -121,7 +119,8 @@ class TestLight(unittest.TestCase):
         rtwshadows.disable_shadows(renderer)
         self.assertEqual(every_light(renderer), [])
         window = make_window(renderer)
-        self.assertEqual(picture(window).max(), picture(make_window(make_renderer(sun=False))).max())
+        other = make_window(make_renderer(sun=False))
+        self.assertEqual(picture(window).max(), picture(other).max())
         self.assertEqual(len(every_light(renderer)), 1)
 
     def test_the_scene_comes_later(self):
@@ -141,12 +140,25 @@ class TestLight(unittest.TestCase):
         for got, centre in zip(lamp.GetFocalPoint(), (100, 200, 300)):
             self.assertAlmostEqual(got, centre, delta=1)
         radius = 50 * math.sqrt(3)
-        self.assertAlmostEqual(math.dist(lamp.GetPosition(), lamp.GetFocalPoint()), 3 * radius, delta=3)
+        distance = math.dist(lamp.GetPosition(), lamp.GetFocalPoint())
+        self.assertAlmostEqual(distance, 3 * radius, delta=3)
         self.assertGreater(lamp.GetPosition()[2], 300 + 2 * radius)
         position = lamp.GetPosition()
         add_actor(renderer, ball((900, 0, 0), 5))
         picture(window)
         self.assertEqual(lamp.GetPosition(), position)
+
+    def test_the_scene_comes_later_into_a_window_in_use(self):
+        renderer = vtkRenderer()
+        window = make_window(make_renderer())
+        picture(window)
+        window.AddRenderer(renderer)
+        rtwshadows.enable_shadows(renderer, light="lamp")
+        add_actor(renderer, ball((100, 200, 300), 50))
+        picture(window)
+        lamp = every_light(renderer)[-1]
+        for got, centre in zip(lamp.GetFocalPoint(), (100, 200, 300)):
+            self.assertAlmostEqual(got, centre, delta=1)
 
     def test_sun_stands_where_its_name_says(self):
         """Left of the view, above in the scene and on the viewer's side, in z-up and y-up scenes,
@@ -188,7 +200,7 @@ class TestLight(unittest.TestCase):
             window = make_window(renderer)
             shadows = rtwshadows.enable_shadows(renderer, light=(x, 0, 2))
             picture(window)
-            shadow = shadow_of(renderer, window, shadows, 0)
+            shadow = shadow_of(shadows, 0)
             self.assertEqual(math.copysign(1, shadow.nonzero()[1].mean() - 79.5), side)
 
     def test_camera_left_moves_along(self):
@@ -198,7 +210,7 @@ class TestLight(unittest.TestCase):
         shadows = rtwshadows.enable_shadows(renderer, light="camera-left")
         for _ in range(3):
             picture(window)
-            shadow = shadow_of(renderer, window, shadows, 0)
+            shadow = shadow_of(shadows, 0)
             self.assertGreater(shadow.nonzero()[1].mean(), 82)
             renderer.GetActiveCamera().Azimuth(120)
             renderer.ResetCameraClippingRange()

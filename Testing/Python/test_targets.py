@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What shadows are switched on and off for: renderers, windows, plotters, and lists of them."""
 
+import gc
 import sys
 import unittest
 
@@ -132,6 +133,34 @@ class TestTargets(unittest.TestCase):
         rtwshadows.disable_shadows(renderer)
         self.assertIsNone(renderer.GetPass())
         self.assertEqual(renderer.GetLights().GetNumberOfItems(), 0)
+
+    def test_remembered_without_a_reference(self):
+        """In Python nobody need hold on to a renderer while its shadows are on."""
+        window = make_window(make_renderer(sun=False))
+        rtwshadows.enable_shadows(window, light="sun")
+        for _ in range(3):
+            gc.collect()
+            picture(window)
+        rtwshadows.disable_shadows(window)
+        renderer = window.GetRenderers().GetFirstRenderer()
+        self.assertIsNone(renderer.GetPass())
+        self.assertEqual(renderer.GetLights().GetNumberOfItems(), 0)
+
+    def test_gone_with_its_renderer(self):
+        """Shadows that nobody has switched off go with what they are of."""
+        for target in (lambda renderer: renderer, lambda renderer: Plotter([renderer])):
+            gone = []
+            renderer = make_renderer(sun=False)
+            window = make_window(renderer)
+            shadows = rtwshadows.enable_shadows(target(renderer), light="lamp")
+            picture(window)
+            for one in (renderer, shadows):
+                one.AddObserver("DeleteEvent", lambda *_: gone.append(1))
+            del one, renderer, shadows, window
+            gc.collect()
+            make_renderer()  # VTK forgets the attributes of what is gone when it adds others
+            gc.collect()
+            self.assertEqual(len(gone), 2)
 
     def test_refused(self):
         renderer = make_renderer()

@@ -189,6 +189,7 @@ struct Collector
     std::vector<ScenePart> Parts;
     bool Plain = true; ///< all of them are meshes
     bool Translucent = false; ///< some of them are
+    std::uint64_t Drawn = 0;  ///< a signature of those that mappers draw, of which there may be others the next time
   };
 
   Added AddLeaves(vtkProp* owner, const SceneLeaves& leaves, bool casts, bool receives)

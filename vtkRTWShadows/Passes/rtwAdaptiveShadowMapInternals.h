@@ -89,9 +89,12 @@ public:
   void UseWarp(vtkShadowMapWarp* warp);
   void UsePartition(vtkShadowMapPartition* partition);
   std::uint64_t Sign(vtkMTimeType warpTime, vtkMTimeType partitionTime) const;
-  /// With the shape that the options have.
-  rtw::ReceiverCode MakeCode(bool drawnByMappers, bool translucent) const;
+  /// Of mappers, with the shape that the options have.
+  rtw::ReceiverCode MakeCode(bool drawsItself, bool unsampled) const;
+  /// What stands for the code of the scene's props, once the options are known.
   void FindCodes();
+  /// Of what draws with such keys.
+  vtkSmartPointer<rtw::ReceiverCodePass> CodeOf(const vtkObjectBase* keys) const;
   /// True where it comes back to a renderer after another one.
   bool TakeTurns(vtkRenderer* renderer);
 

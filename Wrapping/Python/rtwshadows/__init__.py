@@ -3,7 +3,9 @@
 
     import rtwshadows
     rtwshadows.enable_shadows(renderer)                       # the default technique, "rtw"
-    rtwshadows.enable_shadows(plotter, "uniform", 2048)       # PyVista, vedo: by their .renderer
+    rtwshadows.enable_shadows(renderer, light="sun")          # with a light, for a scene with none
+    rtwshadows.enable_shadows(plotter, "uniform", 2048)       # PyVista, vedo, with all subplots
+    rtwshadows.enable_shadows(window)                         # all its renderers; lists are taken
     rtwshadows.disable_shadows(renderer)                      # as it was before
 
 Every class of the C++ module vtkRTWShadows is in this package too. Where there is no display,

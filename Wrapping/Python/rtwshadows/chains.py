@@ -225,8 +225,10 @@ class Graft:
 
     def _put(self, renderer):
         root = _Slot(renderer, "Pass")
-        self._place = _find_drawer(root, []) or root
-        self.replaced = self._place.get()
+        place = _find_drawer(root, []) or root
+        # The renderer remembers this, so that remembering the renderer would keep both for ever.
+        self._inside = None if place == root else place
+        self.replaced = place.get()
         self._before = self._after = None
         known = self.replaced is None or isinstance(self.replaced, vtkRenderStepsPass) or any(
             _draws_opaque(item) for item in _flat(self.replaced))
@@ -237,15 +239,15 @@ class Graft:
                 f"{self.replaced.GetClassName()} draws the scene in a way that shadows can't be "
                 "put into; until disable_shadows() it is left out", stacklevel=5)
         _take_over(self.steps, self.replaced)
-        if isinstance(self._place, _Item):
-            collection = self._place.collection
+        if isinstance(place, _Item):
+            collection = place.collection
             self._before = _items(collection)
             # VTK's own shadows would be drawn over ours.
             _fill(collection, [item for item in self._before if not isinstance(
                 item, (vtkShadowMapPass, vtkShadowMapBakerPass)) or item is self.replaced])
-        self._place.put(self.steps)
+        place.put(self.steps)
         if self._before is not None:
-            self._after = _items(self._place.collection)
+            self._after = _items(place.collection)
 
     def is_in(self, renderer):
         """Whether the chain of the renderer, as it is now, draws by our steps."""
@@ -260,14 +262,15 @@ class Graft:
     def remove(self, renderer):
         """Take our steps out of the chain as it is now, and nothing else."""
         root = _Slot(renderer, "Pass")
+        first = self._inside or root
         places = [place for place in _places(root, []) if place.get() is self.steps]
-        if self._place not in places and self._place.get() is self.steps:
-            places.append(self._place)
+        if first not in places and first.get() is self.steps:
+            places.append(first)
         for place in places:
-            if place == self._place and self._after is not None and (
+            if place == first and self._after is not None and (
                     _items(place.collection) == self._after):
                 _fill(place.collection, self._before)
-            elif place == self._place or place == root or self.replaced is not None:
+            elif place == first or place == root or self.replaced is not None:
                 place.put(self.replaced)
             else:
                 plain = vtkRenderStepsPass()  # what a pass needs to have something to work on

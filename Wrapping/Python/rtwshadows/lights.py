@@ -101,6 +101,11 @@ def _view_axes(renderer):
     return right, up, _cross(right, up)
 
 
+def has_scene(renderer):
+    """Whether anything is visible."""
+    return bool(vtkMath.AreBoundsInitialized(renderer.ComputeVisiblePropBounds()))
+
+
 def _sphere(renderer):
     """Centre and radius of what is visible; of 1 about the origin where nothing is."""
     bounds = renderer.ComputeVisiblePropBounds()

@@ -5,7 +5,7 @@ import warnings
 
 from . import vtkRTWShadows as _module
 from .chains import Graft
-from .lights import AddedLight, casts_shadows, check_light
+from .lights import AddedLight, casts_shadows, check_light, has_scene
 from .properties import set_properties
 from .targets import find_renderers
 from .techniques import make_pass
@@ -65,8 +65,10 @@ def _observe(renderer, state):
 
 
 def _has_drawn(renderer):
+    """Whether there is a scene and a view of it, as far as can be told."""
     window = renderer.GetRenderWindow()
-    return window is not None and not window.GetNeverRendered()
+    return (window is not None and not window.GetNeverRendered()
+            and renderer.IsActiveCameraCreated() and has_scene(renderer))
 
 
 def _take_out(renderer, state):
@@ -128,8 +130,8 @@ def enable_shadows(
         a direction: three numbers in world coordinates that point from the scene towards the
             light, as the position of a vtkLight does whose focal point is the origin.
         a vtkLight: that one, as it is.
-        Before a window's first frame "sun", "lamp" and a direction are fitted once more when it
-        begins; enable shadows again to fit them to another scene. Lights that follow the camera,
+        Before a window's first frame, and where there is no scene yet, "sun", "lamp" and a
+        direction are fitted once more when the next frame begins; enable shadows again to fit them to another scene. Lights that follow the camera,
         such as VTK's headlight, would wash shadows out: beside an added light their intensities
         are lowered to 0.3 in sum, until it is taken away. Where there is no other light at all, a
         headlight of 0.3 is added with it. Lights of the scene stay as they are. What is made by

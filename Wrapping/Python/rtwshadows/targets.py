@@ -65,5 +65,6 @@ def find_renderers(target, every=False):
         else:
             found.append((renderer, managed))
     if not found and not every:
-        raise ValueError(f"{type(target).__name__} has no renderer that draws a scene: add one first")
+        raise ValueError(
+            f"{type(target).__name__} has no renderer that draws a scene: add one first")
     return found
