@@ -101,11 +101,13 @@ struct ReceiverUniforms
   int GridLayers = 0;
   int Cells = 1, Resolution = 1;
   glm::ivec2 MapSize{ 1 };
-  int OriginX = 0, OriginY = 0; ///< of the viewport
+  int OriginX = 0, OriginY = 0; ///< of the view in the target
   glm::vec2 DepthToSample{ 1, 0 };
   glm::vec3 RayStep{ 0 };
   ReceiverLights Lights;
 
+  /// For mappers that draw in that viewport, which may lie in another target and show more around the view.
+  void PlaceView(const glm::ivec4& viewport, const View& view);
   void Set(vtkShaderProgram* program) const;
 };
 }

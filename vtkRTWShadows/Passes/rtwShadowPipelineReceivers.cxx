@@ -12,8 +12,6 @@ ReceiverUniforms ShadowPipeline::MakeUniforms(const PipelineOptions& options) co
   uniforms.MapSize = this->Table.GetMapSize();
   uniforms.GridLayers = this->Table.GetGridLayers();
   uniforms.OtherLayers = this->OtherLayers;
-  uniforms.OriginX = this->Viewed.OriginX;
-  uniforms.OriginY = this->Viewed.OriginY;
   uniforms.RayStep = glm::vec3(ViewSampler::RayStep(this->Viewed));
   uniforms.DepthToSample = glm::vec2(ViewSampler::DepthToSample(this->Viewed));
   if (options.SamplesAPixel > 1)

@@ -3,6 +3,7 @@
 
 #include "rtwAdaptiveShadowMapInternals.h"
 #include "rtwMapperDrawing.h"
+#include "rtwViewport.h"
 
 #include "vtkActor.h"
 #include "vtkAdaptiveShadowMapBakerPass.h"
@@ -313,7 +314,13 @@ bool vtkAdaptiveShadowMapPass::PostReplaceShaderValues(std::string& vertexShader
 bool vtkAdaptiveShadowMapPass::SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper*,
   vtkProp* prop, vtkOpenGLVertexArrayObject*)
 {
-  this->Shadows->Uniforms.Set(program);
+  Internals& my = *this->Shadows;
+  if (my.Uniforms.CurrentPhase == rtw::Phase::Picture)
+  {
+    // A pass between us and the mapper may draw elsewhere than where the view was.
+    my.Uniforms.PlaceView(rtw::ViewportOf(my.Window), my.Pipeline.GetView());
+  }
+  my.Uniforms.Set(program);
   vtkInformation* keys = prop ? prop->GetPropertyKeys() : nullptr;
   // The lines and points that a surface is drawn by have no side to be lit on.
   auto* actor = vtkActor::SafeDownCast(prop);
