@@ -14,7 +14,7 @@ import unittest
 
 import numpy
 
-from features.combinations import FEATURES, PROPS, combine
+from features.combinations import FEATURES, PROPS, STEPS, combine, draw_opaque_by
 from features.stage import Stage, vtk_to_numpy
 from test_features import NO_CHANGE, differences, keep
 
@@ -81,7 +81,9 @@ def shade(names, technique, plainly, viewport=None):
     if viewport:
         stage.window.SetSize(*WINDOW)
         stage.renderer.SetViewport(*viewport)
-    combine(stage, names, plainly)
+    combine(stage, [name for name in names if name in FEATURES], plainly)
+    for name in set(names) & set(STEPS):
+        draw_opaque_by(stage, name)
     stage.photograph()
     shaded = Shaded(stage, technique)
     keep("_".join(("pair", technique, "viewport" if viewport else "whole",
@@ -138,13 +140,20 @@ class TestPairs(unittest.TestCase):
     def in_a_viewport(self, names):
         props = tuple(name for name in names if name in PROPS)
         plain = shade(props, self.technique, True)
-        # VTK's SSAO draws what it shades in the window's corner, wherever the viewport is.
-        corner = (0, 0) if "ssao" in names else CORNER
-        wrong = shade(names, self.technique, False, VIEWPORT).share_wrong(plain, corner)
+        wrong = shade(names, self.technique, False, VIEWPORT).share_wrong(plain, CORNER)
         return [f"{100 * wrong:.2f} % of the pixels are wrong"] if wrong > MOST_WRONG else []
 
+    def in_a_target_of_its_own(self, names):
+        wrong = shade(names, self.technique, False).share_wrong(shade((), self.technique, True))
+        return [f"{100 * wrong:.2f} % of the pixels are wrong"] if wrong > MOST_WRONG else []
+
+    def test_opaque_steps(self):
+        for name in STEPS:
+            self.check((name,), self.in_a_target_of_its_own)
+
     def test_in_a_viewport(self):
-        for name in FEATURES:
+        # Of VTK's passes these two draw elsewhere than in the viewport.
+        for name in (set(FEATURES) | set(STEPS)) - {"ssao", "vtkGaussianBlurPass"}:
             self.check((name,), self.in_a_viewport)
 
 

@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """VTK's features, each in the same picture with our passes and without them, to the pixel.
 
-    test_features.py TECHNIQUE [ROW...]
+    test_features.py TECHNIQUE [GROUP|ROW...]
 
-Shadows of attenuation 0 are not drawn at all, so that they alone would show little. Those of one too small to
-change a float are: all is prepared, primed and looked up as ever, and every colour multiplied by exactly 1.
+GROUP is props, passes or windows. VERBOSE=1 says of each row how it went, OUT=FOLDER keeps pictures.
+
+Shadows of attenuation 0 are not drawn at all, so that they alone would show little. Those of one too
+small to change a float are: all is prepared, primed and looked up as ever, and every colour multiplied by
+exactly 1.
 """
 
 import argparse
@@ -16,8 +19,9 @@ import unittest
 import numpy
 
 from features.stage import ROWS, Stage, make, vtk
-from features import pass_rows, prop_rows, window_rows  # noqa: F401 - fill the table
+from features import pass_rows, prop_rows, window_rows
 
+GROUPS = {"props": prop_rows, "passes": pass_rows, "windows": window_rows}
 NO_CHANGE = 1e-9  # 1 - NO_CHANGE is 1 as a float
 LEVELS = 1  # of 255
 DEPTHS = 2.0 ** -22
@@ -34,7 +38,8 @@ def differences(seen, expected):
         most = DEPTHS if key.startswith("depth") else LEVELS
         difference = abs(other.astype(float) - picture.astype(float)).max(axis=-1)
         if difference.max() > most:
-            found.append(f"{key}: {(difference > most).sum()} pixels, by up to {difference.max():.6g}")
+            found.append(f"{key}: {(difference > most).sum()} pixels, "
+                         f"by up to {difference.max():.6g}")
     return found
 
 
@@ -47,7 +52,8 @@ def keep(name, shown):
             image = make("vtkImageData", Dimensions=(picture.shape[1], picture.shape[0], 1))
             array = vtk.vtkUnsignedCharArray()
             array.SetNumberOfComponents(picture.shape[2])
-            array.SetVoidArray(numpy.ascontiguousarray(picture), picture.size, 1)
+            values = numpy.ascontiguousarray(picture)
+            array.SetVoidArray(values, picture.size, 1)
             image.GetPointData().SetScalars(array)
             path = os.path.join(os.environ["OUT"], f"{name}-{key.replace(' ', '_')}.png")
             make("vtkPNGWriter", FileName=path, InputData=image).Write()
@@ -82,6 +88,15 @@ def check(name, technique):
     return found
 
 
+def rows_of(names):
+    """With each group's rows in place of its name."""
+    found = []
+    for name in names:
+        module = GROUPS[name].__name__ if name in GROUPS else None
+        found += [row for row in ROWS if ROWS[row].__module__ == module] if module else [name]
+    return found
+
+
 class TestFeatures(unittest.TestCase):
     technique = None
     rows = ()
@@ -94,7 +109,8 @@ class TestFeatures(unittest.TestCase):
                 started = time.process_time()
                 found = check(name, self.technique)
                 if "VERBOSE" in os.environ:
-                    print(f"{time.process_time() - started:5.1f} s  {name}: {'; '.join(found) or 'same'}", flush=True)
+                    print(f"{time.process_time() - started:5.1f} s  {name}: "
+                          f"{'; '.join(found) or 'same'}", flush=True)
                 self.assertEqual(found, [])
 
 
@@ -104,5 +120,5 @@ if __name__ == "__main__":
     parser.add_argument("rows", nargs="*")
     given = parser.parse_args()
     TestFeatures.technique = given.technique
-    TestFeatures.rows = given.rows or sorted(ROWS)
+    TestFeatures.rows = rows_of(given.rows or GROUPS)
     unittest.main(argv=sys.argv[:1])

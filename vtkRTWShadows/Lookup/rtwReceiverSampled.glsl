@@ -3,7 +3,7 @@
 uniform sampler2DArray rtwMask;
 uniform usampler2DArray rtwSampleBits; // in shadow, and from bit 8 on facing the light
 uniform sampler2DMS rtwManySamples;
-uniform ivec2 rtwMaskOrigin; // of the viewport
+uniform ivec2 rtwMaskOrigin; // in the target; around the mask its margin goes on
 uniform int rtwSamplesAPixel;
 uniform vec2 rtwOffsets[8];     // from the centre, in pixels
 uniform float rtwHiddenBeyond;  // a distance
@@ -13,12 +13,17 @@ const float HIDDEN_SHARE = 1e-3; // of the distance; in a framed view of what is
 
 uint rtwShown = 0u; // the samples that show the fragment's surface
 
+ivec2 rtwPixel()
+{
+  return clamp(ivec2(gl_FragCoord.xy) - rtwMaskOrigin, ivec2(0), textureSize(rtwMask, 0).xy - 1);
+}
+
 // The covered ones, but for those where another surface is in front. To be called by all fragments.
 uint rtwFindShown(vec3 p, float depth)
 {
   float a = rtwSampleAt(p, depth);
   vec2 slope = vec2(dFdx(a), dFdy(a));
-  ivec2 pixel = ivec2(gl_FragCoord.xy) - rtwMaskOrigin;
+  ivec2 pixel = rtwPixel();
   uint shown = 0u;
   for (int i = 0; i < rtwSamplesAPixel; ++i)
   {
@@ -34,7 +39,7 @@ uint rtwFindShown(vec3 p, float depth)
 // What a light's colour is to be multiplied by.
 float rtwFactor(int light, vec3 p)
 {
-  ivec3 pixel = ivec3(ivec2(gl_FragCoord.xy) - rtwMaskOrigin, light);
+  ivec3 pixel = ivec3(rtwPixel(), light);
   uint bits = texelFetch(rtwSampleBits, pixel, 0).r;
   uint facing = bits >> 8u;
   float visibility = rtwMaskedVisibility(texelFetch(rtwMask, pixel, 0).r);

@@ -309,6 +309,14 @@ ReceiverLights ReceiverLights::Make(const std::vector<LightFrame>& frames, const
   return lights;
 }
 
+void ReceiverUniforms::PlaceView(const glm::ivec4& viewport, const View& view)
+{
+  this->OriginX = viewport.x + (viewport.z - view.Width) / 2;
+  this->OriginY = viewport.y + (viewport.w - view.Height) / 2;
+  this->ToClip.z = -this->ToClip.x * float(this->OriginX) - 1;
+  this->ToClip.w = -this->ToClip.y * float(this->OriginY) - 1;
+}
+
 void ReceiverUniforms::Set(vtkShaderProgram* program) const
 {
   if (program->IsUniformUsed("rtwPhase"))

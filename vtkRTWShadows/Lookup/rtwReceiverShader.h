@@ -100,7 +100,7 @@ struct ReceiverUniforms
   int GridLayers = 0;
   int Cells = 1, Resolution = 1;
   glm::ivec2 MapSize{ 1 };
-  int OriginX = 0, OriginY = 0; ///< of the viewport
+  int OriginX = 0, OriginY = 0; ///< of the view in the target
   ///@{
   /// Of the view, as rtwReceiverPlace.glsl and rtwMapperOutput.glsl have it.
   bool Framed = false;
@@ -113,6 +113,8 @@ struct ReceiverUniforms
   ///@}
   ReceiverLights Lights;
 
+  /// For mappers that draw in that viewport, which may lie in another target and show more around the view.
+  void PlaceView(const glm::ivec4& viewport, const View& view);
   void Set(vtkShaderProgram* program) const;
 };
 }

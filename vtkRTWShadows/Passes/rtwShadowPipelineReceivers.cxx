@@ -17,8 +17,6 @@ ReceiverUniforms ShadowPipeline::MakeUniforms(const PipelineOptions& options) co
   uniforms.MapSize = this->Table.GetMapSize();
   uniforms.GridLayers = this->Table.GetGridLayers();
   uniforms.OtherLayers = this->OtherLayers;
-  uniforms.OriginX = this->Viewed.OriginX;
-  uniforms.OriginY = this->Viewed.OriginY;
   this->PlaceReceivers(uniforms);
   if (options.SamplesAPixel > 1)
   {

@@ -4,6 +4,7 @@
 #include "rtwAdaptiveShadowMapInternals.h"
 #include "rtwMapperDrawing.h"
 #include "rtwSelection.h"
+#include "rtwViewport.h"
 #include "rtwVTKCompatibility.h"
 
 #include "vtkActor.h"
@@ -351,7 +352,13 @@ bool vtkAdaptiveShadowMapPass::SetShaderParameters(vtkShaderProgram* program,
   {
     return true;
   }
-  this->Shadows->Uniforms.Set(program);
+  Internals& my = *this->Shadows;
+  if (my.Uniforms.CurrentPhase == rtw::Phase::Picture)
+  {
+    // A pass between us and the mapper may draw elsewhere than where the view was.
+    my.Uniforms.PlaceView(rtw::ViewportOf(my.Window), my.Pipeline.GetView());
+  }
+  my.Uniforms.Set(program);
   vtkInformation* keys = prop ? prop->GetPropertyKeys() : nullptr;
   auto* actor = vtkActor::SafeDownCast(prop);
   const bool receives = (!actor || HasSides(actor, rtw::PrimitiveOf(mapper, array))) &&

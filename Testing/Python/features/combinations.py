@@ -7,11 +7,8 @@ from .stage import make, vtk
 
 FEATURES = ("peeling", "ssao", "fxaa", "multisampling", "tone mapping", "volume")
 PROPS = ("peeling", "volume")
-
-
-def passes_of(names):
-    """Those that add no prop to the scene."""
-    return tuple(name for name in names if name not in PROPS)
+# Passes that draw the opaque step into a target of their own, some of a larger view.
+STEPS = ("vtkToneMappingPass", "vtkFramebufferPass", "vtkGaussianBlurPass", "vtkEDLShading")
 
 
 def add_panes(stage):
@@ -44,5 +41,15 @@ def combine(stage, names, plainly=False):
         # VTK's FXAA reads no multisampled target, and tone mapping has one that isn't.
         for name, outer in (("fxaa", "vtkOpenGLFXAAPass"), ("tone mapping", "vtkToneMappingPass")):
             steps = around(outer)(steps) if name in names else steps
+        return steps
+    stage.chain = chain
+
+
+def draw_opaque_by(stage, name):
+    def chain(steps):
+        outer = make(name)
+        cleared = make("vtkCameraPass", DelegatePass=vtk.vtkOpaquePass())
+        outer.SetDelegatePass(cleared)
+        steps.SetOpaquePass(outer)
         return steps
     stage.chain = chain
