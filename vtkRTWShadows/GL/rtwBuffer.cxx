@@ -69,9 +69,9 @@ void Buffer::Read(std::size_t offset, void* data, std::size_t bytes) const
 void Buffer::Clear()
 {
   const BriefChange change;
-  const GLuint zero = 0;
   BindBuffer(GL_COPY_WRITE_BUFFER, this->Id);
-  glClearBufferData(GL_COPY_WRITE_BUFFER, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
+  // Of a given value Mesa skips what the pixel store says.
+  glClearBufferData(GL_COPY_WRITE_BUFFER, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
 }
 
 void Buffer::BindStorage(unsigned int binding) const
