@@ -20,20 +20,11 @@
 #include "vtkTranslucentPass.h"
 
 #include <algorithm>
-#include <cstring>
 #include <utility>
 #include <vector>
 
 namespace rtw
 {
-namespace
-{
-bool IsPlain(vtkRenderPass* pass, const char* name)
-{
-  return pass && std::strcmp(pass->GetClassName(), name) == 0;
-}
-}
-
 // VTK's pass draws wireframes as surfaces too, by changing their properties and changing them back: nothing that a frame
 // after it would have to be drawn anew for.
 class HiddenLinesStep : public vtkRenderPass
@@ -132,8 +123,7 @@ void RendererFlags::Begin(const vtkRenderState* s)
 
 vtkRenderPass* RendererFlags::DrawOpaque(const vtkRenderState* s, vtkRenderPass* opaque)
 {
-  this->HidesLines = IsPlain(opaque, "vtkOpaquePass") &&
-    s->GetRenderer()->GetUseHiddenLineRemoval() &&
+  this->HidesLines = opaque && s->GetRenderer()->GetUseHiddenLineRemoval() &&
     vtkHiddenLineRemovalPass::WireframePropsExist(s->GetPropArray(), s->GetPropArrayCount());
   return this->HidesLines ? this->HiddenLines.Get() : opaque;
 }
@@ -156,11 +146,7 @@ vtkRenderPass* RendererFlags::AroundOpaque(const vtkRenderState* s, vtkRenderPas
 vtkRenderPass* RendererFlags::DrawTranslucent(
   const vtkRenderState* s, vtkRenderPass* translucent, vtkRenderPass* volumetric)
 {
-  if (!IsPlain(translucent, "vtkTranslucentPass"))
-  {
-    return translucent;
-  }
-  if (!this->HasTranslucent)
+  if (!translucent || !this->HasTranslucent)
   {
     return nullptr;
   }

@@ -30,11 +30,11 @@ public:
   /// Takes note of a frame's flags and props; to be called first.
   void Begin(const vtkRenderState* s);
 
-  /// The pass that draws opaque props: the one given, unless it is VTK's plain one and lines are to be hidden.
+  /// The pass that draws opaque props: the plain one that is given, unless lines are to be hidden.
   vtkRenderPass* DrawOpaque(const vtkRenderState* s, vtkRenderPass* opaque);
   /// What surrounds the opaque step, itself where nothing does. Hidden lines have none, as in VTK.
   vtkRenderPass* AroundOpaque(const vtkRenderState* s, vtkRenderPass* step);
-  /// The pass that draws translucent props: the one given, unless it is VTK's plain one. Null where nothing is translucent.
+  /// The pass that draws translucent props, or that plain one that is given. Null where nothing is translucent.
   vtkRenderPass* DrawTranslucent(
     const vtkRenderState* s, vtkRenderPass* translucent, vtkRenderPass* volumetric);
   /// Whether that pass draws the volumes too.

@@ -23,6 +23,8 @@ vtkShadowRenderStepsPass::vtkShadowRenderStepsPass()
 {
   vtkNew<vtkRenderPassCollection> passes;
   this->AfterOpaque->SetPasses(passes);
+  this->OwnOpaque = this->OpaquePass;
+  this->OwnTranslucent = this->TranslucentPass;
 }
 
 vtkShadowRenderStepsPass::~vtkShadowRenderStepsPass() = default;
@@ -44,7 +46,9 @@ vtkShadowMapPass* vtkShadowRenderStepsPass::GetShadowMapPass()
 // Null for none.
 vtkRenderPass* vtkShadowRenderStepsPass::MakeOpaqueStep(const vtkRenderState* s)
 {
-  vtkRenderPass* drawn = this->Flags->DrawOpaque(s, this->OpaquePass);
+  // One that somebody set is drawn as it is, as VTK's own steps do.
+  vtkRenderPass* drawn = this->OpaquePass;
+  drawn = drawn == this->OwnOpaque ? this->Flags->DrawOpaque(s, drawn) : drawn;
   if (drawn && this->ShadowMapPass)
   {
     this->OpaqueStep->Set(this->ShadowMapPass, drawn, true);
@@ -56,8 +60,11 @@ vtkRenderPass* vtkShadowRenderStepsPass::MakeOpaqueStep(const vtkRenderState* s)
 // With what comes between it and volumes; null for nothing.
 vtkRenderPass* vtkShadowRenderStepsPass::MakeTranslucentStep(const vtkRenderState* s)
 {
-  vtkRenderPass* drawn =
-    this->Flags->DrawTranslucent(s, this->TranslucentPass, this->VolumetricPass);
+  vtkRenderPass* drawn = this->TranslucentPass;
+  if (drawn == this->OwnTranslucent)
+  {
+    drawn = this->Flags->DrawTranslucent(s, drawn, this->VolumetricPass);
+  }
   if (drawn && this->ShadowMapPass)
   {
     this->TranslucentStep->Set(this->ShadowMapPass, drawn, !this->OpaquePass);

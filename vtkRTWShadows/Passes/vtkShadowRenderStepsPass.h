@@ -65,6 +65,7 @@ private:
   vtkRenderPass* MakeTranslucentStep(const vtkRenderState* s);
 
   vtkSmartPointer<vtkShadowMapPass> ShadowMapPass;
+  vtkSmartPointer<vtkRenderPass> OwnOpaque, OwnTranslucent; // those that nobody set
   vtkNew<vtkShadowedStepPass> OpaqueStep;
   vtkNew<vtkShadowedStepPass> TranslucentStep;
   vtkNew<vtkSequencePass> AfterOpaque;
