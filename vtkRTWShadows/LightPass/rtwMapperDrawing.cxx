@@ -61,7 +61,7 @@ void SetFramedCamera(vtkCamera* camera, const View& view, vtkCamera* viewer)
   }
   const glm::dmat4 viewToWorld = glm::inverse(ToGlm(camera->GetModelViewTransformMatrix()));
   vtkNew<vtkMatrix4x4> projection;
-  CopyTo(projection, view.ViewToClip * (view.WorldToView * viewToWorld));
+  FromGlm(view.ViewToClip * (view.WorldToView * viewToWorld), projection);
   camera->SetExplicitProjectionTransformMatrix(projection);
   camera->UseExplicitProjectionTransformMatrixOn();
 }
