@@ -138,7 +138,7 @@ bool IsSame(const std::vector<double>& a, const std::vector<double>& b)
 std::string Text(const std::vector<double>& values)
 {
   std::ostringstream text;
-  for (const double value : values)
+  for (const double& value : values)
   {
     text << (&value == &values.front() ? "" : ", ") << value;
   }
