@@ -14,10 +14,13 @@
 #include "vtkInformationIntegerKey.h"
 #include "vtkMapper.h"
 #include "vtkNew.h"
+#include "vtkPlane.h"
+#include "vtkPlaneCollection.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <utility>
@@ -76,6 +79,18 @@ vtkInformation* KeysOf(vtkProp* prop)
     prop->SetPropertyKeys(keys);
   }
   return prop->GetPropertyKeys();
+}
+
+// Mappers don't notice that their planes were moved.
+vtkMTimeType CutTime(vtkActor* actor)
+{
+  vtkPlaneCollection* planes = actor->GetMapper()->GetClippingPlanes();
+  vtkMTimeType time = 0;
+  for (int i = 0; planes && i < planes->GetNumberOfItems(); ++i)
+  {
+    time = std::max(time, planes->GetItem(i)->GetMTime());
+  }
+  return time;
 }
 
 // Whether props that the cullers leave out can't be seen.
@@ -178,6 +193,7 @@ struct Collector
     std::vector<ScenePart> Parts;
     bool Plain = true; ///< all of them are meshes
     bool Translucent = false; ///< some of them are
+    vtkMTimeType Time = 0; ///< of the planes that cut those that aren't meshes
   };
 
   Added AddLeaves(vtkProp* owner, const SceneLeaves& leaves, bool casts, bool receives)
@@ -198,6 +214,7 @@ struct Collector
         continue;
       }
       added.Plain = false;
+      added.Time = std::max(added.Time, CutTime(leaf.Actor));
       this->Result.SamplesAreComplete = false;
       vtkSmartPointer<vtkMatrix4x4> place;
       if (leaf.Placed)
@@ -219,6 +236,7 @@ struct Collector
     if (!added.Plain)
     {
       signature = Mix(signature, std::uint64_t(prop->GetRedrawMTime()));
+      signature = Mix(signature, std::uint64_t(added.Time));
     }
     for (const ScenePart& part : added.Parts)
     {
