@@ -15,10 +15,13 @@
 #include "vtkInformationIntegerKey.h"
 #include "vtkMapper.h"
 #include "vtkNew.h"
+#include "vtkPlane.h"
+#include "vtkPlaneCollection.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <utility>
@@ -218,6 +221,8 @@ struct Collector
       }
       added.Plain = false;
       added.Drawn = Mix(Mix(added.Drawn, reinterpret_cast<std::uint64_t>(leaf.Actor)), leaf.ToWorld);
+      // Of which the prop doesn't tell.
+      added.Drawn = leaf.Level ? SignActor(added.Drawn, leaf.Actor) : added.Drawn;
       this->Result.SamplesAreComplete = false;
       vtkSmartPointer<vtkMatrix4x4> place;
       if (leaf.Placed)

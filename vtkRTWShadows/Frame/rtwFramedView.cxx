@@ -94,6 +94,17 @@ View AtEye(const View& view)
   return result;
 }
 
+glm::dvec3 SeenFrom(const View& view)
+{
+  if (view.Framed)
+  {
+    return glm::dvec3(0, 0, view.Parallel ? 1 : view.Begin);
+  }
+  const glm::dmat4& p = view.ViewToClip;
+  const glm::dvec2 shear = glm::dvec2(p[view.Parallel ? 2 : 3]) / glm::dvec2(p[0][0], p[1][1]);
+  return glm::dvec3(-shear, view.Parallel ? 1 : 0);
+}
+
 glm::dvec2 DepthToSample(const View& view)
 {
   const glm::dvec2& row = view.DepthRow;
@@ -130,7 +141,7 @@ glm::dvec4 RayOf(const View& view)
 
 glm::dvec2 ShearOf(const View& view)
 {
-  const glm::dvec2 perDistance(view.SeenFrom());
+  const glm::dvec2 perDistance(SeenFrom(view));
   return view.Framed ? glm::dvec2(0) : view.Parallel ? PlaceOf(view).y * perDistance : perDistance;
 }
 

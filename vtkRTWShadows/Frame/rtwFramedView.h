@@ -16,6 +16,10 @@ View Framed(const View& view, const glm::dvec2& seen);
 /// The view in coordinates that begin at the eye, whatever is seen.
 View AtEye(const View& view);
 
+/// Where the eye is in view coordinates: in stereo beside the camera. In a parallel view the way towards
+/// it, one unit of distance long.
+glm::dvec3 SeenFrom(const View& view);
+
 /// How the picture's window-space depth becomes what a sample holds: scale and offset.
 glm::dvec2 DepthToSample(const View& view);
 /// Likewise that of what is drawn into the samples' target.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rtwView.h"
 
+#include "rtwFramedView.h"
 #include "rtwOpenGL.h"
 
 #include "vtkCamera.h"
@@ -64,17 +65,6 @@ void FromGlm(const glm::dmat4& from, vtkMatrix4x4* to)
       to->SetElement(row, column, from[column][row]);
     }
   }
-}
-
-glm::dvec3 View::SeenFrom() const
-{
-  if (this->Framed)
-  {
-    return glm::dvec3(0, 0, this->Parallel ? 1 : this->Begin);
-  }
-  const glm::dmat4& p = this->ViewToClip;
-  const glm::dvec2 shear = glm::dvec2(p[this->Parallel ? 2 : 3]) / glm::dvec2(p[0][0], p[1][1]);
-  return glm::dvec3(-shear, this->Parallel ? 1 : 0);
 }
 
 bool View::IsUsable() const
@@ -152,7 +142,7 @@ View ViewOf(const vtkRenderState* state)
   view.Forward = glm::normalize(-glm::dvec3(view.ViewToWorld[2]));
   view.Parallel = camera->GetParallelProjection() != 0;
   view.Eye = glm::dvec3(
-    view.ViewToWorld * glm::dvec4(view.Parallel ? glm::dvec3(0) : view.SeenFrom(), 1));
+    view.ViewToWorld * glm::dvec4(view.Parallel ? glm::dvec3(0) : SeenFrom(view), 1));
   return view;
 }
 }

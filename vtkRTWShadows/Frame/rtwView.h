@@ -33,9 +33,6 @@ struct View
   int Width = 0;
   int Height = 0;
 
-  /// Where the eye is in view coordinates: beside their origin, in stereo. In a parallel view the way towards it, one
-  /// unit of distance long.
-  glm::dvec3 SeenFrom() const;
   bool IsUsable() const; ///< false for an empty viewport or a camera that is not a number
   /// How far the origin is from an eye.
   double BeyondEye() const { return this->Parallel ? 0 : this->Begin; }

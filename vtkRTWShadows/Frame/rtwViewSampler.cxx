@@ -223,7 +223,7 @@ void ViewSampler::Bind(const Program& program) const
   glUniform4f(program.Location("rtwOfSample"), place.x, place.y, place.z, place.w);
   const glm::vec2 shear(ShearOf(this->Viewed));
   program.Set("rtwShear", shear.x, shear.y);
-  const glm::vec3 from(this->Viewed.SeenFrom());
+  const glm::vec3 from(SeenFrom(this->Viewed));
   glUniform4f(
     program.Location("rtwViewer"), from.x, from.y, from.z, this->Viewed.Parallel ? 0.f : 1.f);
   program.Set("rtwViewBegin", float(this->Viewed.Begin));

@@ -39,7 +39,7 @@ void ShadowPipeline::PlaceReceivers(ReceiverUniforms& uniforms) const
   const glm::dvec2 scale(2.0 / view.Width, 2.0 / view.Height);
   uniforms.ToClip = glm::vec4(scale, -scale * glm::dvec2(view.OriginX, view.OriginY) - 1.0);
   uniforms.RayStep = glm::vec3(RayStep(view));
-  const glm::vec2 beside(view.SeenFrom());
+  const glm::vec2 beside(SeenFrom(view));
   uniforms.SeenFrom = glm::vec3(beside, view.Parallel ? 1.f : 0.f); // beside the camera
   uniforms.DepthToSample = glm::vec2(toSample);
   uniforms.OwnDepthToSample = glm::vec2(OwnDepthToSample(view));
