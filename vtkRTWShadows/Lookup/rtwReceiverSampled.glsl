@@ -14,9 +14,9 @@ const float HIDDEN_SHARE = 1e-3; // of the distance; in a framed view of what is
 uint rtwShown = 0u; // the samples that show the fragment's surface
 
 // The covered ones, but for those where another surface is in front. To be called by all fragments.
-uint rtwFindShown(vec3 p, float depth)
+uint rtwFindShown(vec3 p)
 {
-  float a = rtwSampleAt(p, depth);
+  float a = (rtwOfSample.z * p.z - rtwOfSample.x) / (rtwOfSample.y - rtwOfSample.w * p.z);
   vec2 slope = vec2(dFdx(a), dFdy(a));
   ivec2 pixel = ivec2(gl_FragCoord.xy) - rtwMaskOrigin;
   uint shown = 0u;

@@ -3,6 +3,7 @@
 
 #include "rtwAdaptiveShadowMapInternals.h"
 #include "rtwMapperDrawing.h"
+#include "rtwModelPlace.h"
 
 #include "vtkActor.h"
 #include "vtkAdaptiveShadowMapBakerPass.h"
@@ -310,10 +311,11 @@ bool vtkAdaptiveShadowMapPass::PostReplaceShaderValues(std::string& vertexShader
   return true;
 }
 
-bool vtkAdaptiveShadowMapPass::SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper*,
-  vtkProp* prop, vtkOpenGLVertexArrayObject*)
+bool vtkAdaptiveShadowMapPass::SetShaderParameters(vtkShaderProgram* program,
+  vtkAbstractMapper* mapper, vtkProp* prop, vtkOpenGLVertexArrayObject*)
 {
   this->Shadows->Uniforms.Set(program);
+  rtw::SetModelToView(program, mapper, prop, this->Shadows->Pipeline.GetView());
   vtkInformation* keys = prop ? prop->GetPropertyKeys() : nullptr;
   // The lines and points that a surface is drawn by have no side to be lit on.
   auto* actor = vtkActor::SafeDownCast(prop);
