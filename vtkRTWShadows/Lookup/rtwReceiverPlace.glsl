@@ -1,19 +1,12 @@
-// Where a fragment of the picture lies in the view coordinates of the shadows. VTK's begin at the camera, and where that is far from what is
-// seen, and the shadows' view is framed, they are coarse: then depth tells more, unless the camera's range is wide beside its distance.
+// Where a fragment of the picture lies in the view coordinates of the shadows, if its vertices didn't tell. VTK's begin at the camera, and
+// are coarse where that is far from what is seen, so that the shadows' view is framed: then depth tells more, unless the camera's range is
+// wider than its distance.
 uniform int rtwPlacedBy;     // VTK's view coordinates: 0 as they are, 1 moved; 2 depth
 uniform float rtwViewBegin;  // from the camera to where view coordinates begin
 uniform vec4 rtwRay;         // as the view samples have them
 uniform vec4 rtwOfSample;
 uniform vec2 rtwDepthToSample; // scale, offset
 uniform vec4 rtwToClip;      // of a fragment's place in the window: scale, offset
-
-// What a view sample there would hold.
-float rtwSampleAt(vec3 p, float depth)
-{
-  float z = p.z + (rtwPlacedBy == 0 ? 0.0 : rtwViewBegin);
-  return rtwPlacedBy == 2 ? depth * rtwDepthToSample.x + rtwDepthToSample.y
-                          : (rtwOfSample.z * z - rtwOfSample.x) / (rtwOfSample.y - rtwOfSample.w * z);
-}
 
 vec3 rtwPlaceOf(vec3 p, float depth)
 {

@@ -19,9 +19,9 @@ ivec2 rtwPixel()
 }
 
 // The covered ones, but for those where another surface is in front. To be called by all fragments.
-uint rtwFindShown(vec3 p, float depth)
+uint rtwFindShown(vec3 p)
 {
-  float a = rtwSampleAt(p, depth);
+  float a = (rtwOfSample.z * p.z - rtwOfSample.x) / (rtwOfSample.y - rtwOfSample.w * p.z);
   vec2 slope = vec2(dFdx(a), dFdy(a));
   ivec2 pixel = rtwPixel();
   uint shown = 0u;

@@ -164,6 +164,22 @@ void PutTaps(
   taps.insert(taps.end(), { float(spacing), float(width + options.FilterTexels) });
 }
 
+// Has a vertex shader tell the fragments where they lie in the view coordinates of the shadows; false where it isn't VTK's plain one, as
+// of glyphs and of what a geometry shader makes.
+bool InjectPosition(ReceiverSources sources)
+{
+  const char* const vtks = "vertexVCVSOutput = MCVCMatrix * vertexMC;";
+  if (!Contains(sources.Vertex, vtks) || Contains(sources.Geometry, "EmitVertex"))
+  {
+    return false;
+  }
+  vtkShaderProgram::Substitute(sources.Vertex, vtks,
+    std::string(vtks) + "\n  rtwPositionVSOutput = (rtwModelToView * vertexMC).xyz;\n", false);
+  InsertBeforeMain(
+    sources.Vertex, "uniform mat4 rtwModelToView;\nout vec3 rtwPositionVSOutput;\n");
+  return true;
+}
+
 // What the light pass and the view samples ask of a mapper.
 void InjectGeometry(ReceiverSources sources, const ReceiverShape& shape, std::string& code,
   std::string& atLight, std::string& atEnd)
@@ -260,11 +276,16 @@ void InjectReceiver(
     code += place +
       (direct ? LookupCode(shape) + rtwReceiverDirect
               : std::string(rtwMaskValue) + (sampled ? rtwReceiverSampled : rtwReceiverMasked));
-    const std::string depth = DepthCode(fragment);
+    // What VTK makes round stands elsewhere than its vertices.
+    const bool told =
+      (direct || sampled) && HeightOf(fragment).empty() && InjectPosition(sources);
+    code += told ? "in vec3 rtwPositionVSOutput;\n" : "";
     const std::string position = PositionOf(fragment);
-    atLight += sampled ? "  rtwShown = rtwFindShown(" + position + ", " + depth + ");\n" : "";
-    atLight += "  vec3 rtwAt = " +
-      (direct ? "rtwPlaceOf(" + position + ", " + depth + ")" : position) + ";\n";
+    const std::string placed = told ? "rtwPositionVSOutput"
+      : direct || sampled           ? "rtwPlaceOf(" + position + ", " + DepthCode(fragment) + ")"
+                                    : position;
+    atLight += "  vec3 rtwAt = " + placed + ";\n";
+    atLight += sampled ? "  rtwShown = rtwFindShown(rtwAt);\n" : "";
     atLight += FactorCode(shape);
     for (std::size_t k = 0; k < shape.Switched.size(); ++k)
     {
@@ -334,7 +355,7 @@ void ReceiverUniforms::Set(vtkShaderProgram* program) const
   {
     program->SetUniformi("rtwFramed", this->Framed ? 1 : 0);
   }
-  if (program->IsUniformUsed("rtwPlacedBy"))
+  if (program->IsUniformUsed("rtwOfSample"))
   {
     program->SetUniformi("rtwPlacedBy", this->PlacedBy);
     program->SetUniformf("rtwViewBegin", this->ViewBegin);

@@ -3,6 +3,7 @@
 
 #include "rtwAdaptiveShadowMapInternals.h"
 #include "rtwMapperDrawing.h"
+#include "rtwModelPlace.h"
 #include "rtwSelection.h"
 #include "rtwViewport.h"
 #include "rtwVTKCompatibility.h"
@@ -359,6 +360,7 @@ bool vtkAdaptiveShadowMapPass::SetShaderParameters(vtkShaderProgram* program,
     my.Uniforms.PlaceView(rtw::ViewportOf(my.Window), my.Pipeline.GetView());
   }
   my.Uniforms.Set(program);
+  rtw::SetModelToView(program, mapper, prop, my.Pipeline.GetView());
   vtkInformation* keys = prop ? prop->GetPropertyKeys() : nullptr;
   auto* actor = vtkActor::SafeDownCast(prop);
   const bool receives = (!actor || HasSides(actor, rtw::PrimitiveOf(mapper, array))) &&
