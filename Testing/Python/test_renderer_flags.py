@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a renderer asks for by its flags it gets with our steps as without a pass. An attenuation of 0.0001 has all of the
-shadows drawn and none of them seen."""
+"""What a renderer asks for by its flags it gets with our steps as without a pass. An attenuation of 0.00001 has all of the
+shadows drawn and none of them seen, not even by a threshold of FXAA that the least step of a colour would cross."""
 
 import itertools
 import sys
@@ -9,10 +9,15 @@ import unittest
 from ball_on_floor import TECHNIQUES, Stage, differing, rtwshadows
 from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPiecewiseFunction
-from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkRenderer, vtkVolume
+from vtkmodules.vtkRenderingCore import (
+    vtkColorTransferFunction,
+    vtkFXAAOptions,
+    vtkRenderer,
+    vtkVolume,
+)
 from vtkmodules.vtkRenderingVolumeOpenGL2 import vtkSmartVolumeMapper
 
-SIZE = (120, 90)
+SIZE = (80, 60)
 
 
 def fxaa(renderer):
@@ -60,13 +65,26 @@ def in_order(renderer):
         renderer.UseOITOff()
 
 
+def clear_flags(renderer):
+    renderer.UseFXAAOff()
+    renderer.SetFXAAOptions(vtkFXAAOptions())
+    renderer.UseSSAOOff()
+    renderer.SetSSAOKernelSize(32)
+    renderer.SSAOBlurOff()
+    renderer.UseHiddenLineRemovalOff()
+    renderer.UseDepthPeelingOff()
+    renderer.UseDepthPeelingForVolumesOff()
+    if hasattr(renderer, "SetUseOIT"):
+        renderer.UseOITOn()
+
+
 FLAGS = (fxaa, fxaa_with_options, ssao, ssao_with_settings, hidden_lines, peeling, peeled_volumes, in_order)
 
 
 class Scene(Stage):
     """With what each flag is for: glass behind glass, a volume, a wireframe before a face."""
 
-    def __init__(self, flags=(), attenuation=1e-4, samples=0, glass=True, wireframe=False, volume=False):
+    def __init__(self, flags=(), attenuation=1e-5, samples=0, glass=True, wireframe=False, volume=False):
         super().__init__(SIZE, samples, attenuation)
         for x, y in ((-1.5, 0.5), (-1.3, -0.6)) if glass else ():
             ball = self.add_ball(x, y, 1, 0.6)
@@ -102,44 +120,42 @@ class Scene(Stage):
         self.renderer.AddVolume(volume)
 
 
-def contents(flags):
-    return {"wireframe": hidden_lines in flags, "volume": peeled_volumes in flags}
-
-
 class TestRendererFlags(unittest.TestCase):
-    def check(self, flags, technique, **kinds):
-        kinds = {**contents(flags), **kinds}
-        right = Scene(flags, **kinds).picture()
-        stage = Scene(flags, **kinds)
-        rtwshadows.enable_shadows(stage.renderer, technique, 256)
-        name = f"{technique}: {', '.join(flag.__name__ for flag in flags)}, {kinds}"
-        for frame in (1, 2):
-            self.assertEqual(differing(stage.picture(), right), 0, f"{name}, frame {frame}")
-        rtwshadows.disable_shadows(stage.renderer)
-        self.assertEqual(differing(stage.picture(), right, 0), 0, f"{name}, afterwards")
+    @staticmethod
+    def picture(stage, flags):
+        clear_flags(stage.renderer)
+        for flag in flags:
+            flag(stage.renderer)
+        return stage.picture()
 
-    def test_flags_show(self):
-        """Else the others would hold nothing."""
-        for flag in (fxaa, ssao, hidden_lines, peeling, peeled_volumes):
-            kinds = contents((flag,))
-            plain = Scene(**kinds).picture()
-            self.assertGreater(differing(plain, Scene((flag,), **kinds).picture(), 4), 30, flag.__name__)
-        for one, other in ((fxaa, fxaa_with_options), (ssao, ssao_with_settings)):
-            self.assertGreater(
-                differing(Scene((one,)).picture(), Scene((other,)).picture(), 2), 10, other.__name__)
+    def check(self, choices, techniques, **kinds):
+        """Each choice of flags, one after the other in the same window, and none at the end."""
+        without = Scene(wireframe=True, volume=True, **kinds)
+        right = [self.picture(without, flags) for flags in choices]
+        for technique in techniques:
+            stage = Scene(wireframe=True, volume=True, **kinds)
+            rtwshadows.enable_shadows(stage.renderer, technique, 256)
+            for flags, picture in zip(choices, right):
+                name = f"{technique}: {', '.join(flag.__name__ for flag in flags)}, {kinds}"
+                self.assertEqual(differing(self.picture(stage, flags), picture), 0, name)
+        return right
 
     def test_each_flag_with_each_technique(self):
-        self.check((), "rtw")
-        for technique in TECHNIQUES:
-            for flag in FLAGS:
-                self.check((flag,), technique)
+        pictures = self.check([()] + [(flag,) for flag in FLAGS] + [()], ("rtw",))
+        self.check([(fxaa,), (ssao,), (hidden_lines,), (peeled_volumes,)],
+                   [technique for technique in TECHNIQUES if technique != "rtw"])
+        # Else there would be nothing to see.
+        by_flag = dict(zip(FLAGS, pictures[1:]))
+        for flag in (fxaa, ssao, hidden_lines, peeling, peeled_volumes):
+            self.assertGreater(differing(pictures[0], by_flag[flag], 4), 12, flag.__name__)
+        for one, other in ((fxaa, fxaa_with_options), (ssao, ssao_with_settings), (peeling, peeled_volumes)):
+            self.assertGreater(differing(by_flag[one], by_flag[other], 2), 3, other.__name__)
 
     def test_together(self):
-        for switches in itertools.product((False, True), repeat=4):
-            flags = tuple(itertools.compress((fxaa, ssao, hidden_lines, peeling), switches))
-            for samples in (0, 4):
-                self.check(flags, "rtw", samples=samples, wireframe=True)
-        self.check((fxaa, ssao, peeled_volumes), "exact", samples=4)
+        choices = [tuple(itertools.compress((fxaa, ssao, hidden_lines, peeling), switches))
+                   for switches in itertools.product((False, True), repeat=4)]
+        for technique, samples in (("rtw", 4), ("exact", 0)):
+            self.check(choices + [(fxaa, ssao, peeled_volumes)], (technique,), samples=samples)
 
     def test_without_a_shadow_pass(self):
         flags = (fxaa, ssao, peeling)
@@ -153,8 +169,8 @@ class TestRendererFlags(unittest.TestCase):
     def test_shadows_stay_where_they_are(self):
         """Under occlusion and hidden lines the floor is dark where it is without them, and a still frame is still."""
         for technique in TECHNIQUES:
-            for flags in ((), (ssao,), (hidden_lines,), (fxaa, ssao, peeling)):
-                kinds = {**contents(flags), "glass": peeling in flags}
+            for flags in ((), (ssao,), (hidden_lines,)):
+                kinds = {"glass": False, "wireframe": hidden_lines in flags}
                 light = Scene(flags, 0, **kinds).picture()
                 stage = Scene(flags, 1, **kinds)
                 shadows = rtwshadows.enable_shadows(stage.renderer, technique, 512)
@@ -162,9 +178,9 @@ class TestRendererFlags(unittest.TestCase):
                 name = f"{technique}: {[flag.__name__ for flag in flags]}"
                 if not flags:
                     right = dark
-                    self.assertGreater(int(right.sum()), 100)
-                elif not kinds["glass"] and not kinds["wireframe"]:
-                    self.assertLess(int((dark != right).sum()), 40, name)
+                    self.assertGreater(int(right.sum()), 50)
+                elif not kinds["wireframe"]:
+                    self.assertLess(int((dark != right).sum()), 15, name)
                 else:  # which cast, too
                     self.assertLess(int((right & ~dark).sum()), 0.4 * int(right.sum()), name)
                 for _ in range(3):
@@ -187,16 +203,20 @@ class TestRendererFlags(unittest.TestCase):
         for picture in pictures[1:]:
             self.assertEqual(differing(picture, pictures[0]), 0)
 
-    def test_on_and_off_in_turns(self):
-        stage = Scene()
-        rtwshadows.enable_shadows(stage.renderer, resolution=256)
-        plain = stage.picture()
-        for on, off in (("UseFXAAOn", "UseFXAAOff"), ("UseSSAOOn", "UseSSAOOff"),
-                        ("UseDepthPeelingOn", "UseDepthPeelingOff")):
-            getattr(stage.renderer, on)()
-            stage.picture()
-            getattr(stage.renderer, off)()
-            self.assertEqual(differing(stage.picture(), plain, 0), 0, on)
+    def test_shadows_in_such_a_viewport(self):
+        dark = []
+        for flags in ((), (ssao,)):
+            for technique in (None, "exact"):
+                stage = Scene(flags, 1, glass=False)
+                stage.renderer.SetViewport(0.5, 0.25, 1, 1)
+                if technique:
+                    rtwshadows.enable_shadows(stage.renderer, technique)
+                picture = stage.picture()
+                if technique:
+                    dark.append(int(((without - picture).max(axis=2) > 60).sum()))
+                without = picture
+        self.assertGreater(dark[0], 15)
+        self.assertLess(abs(dark[1] - dark[0]), 0.2 * dark[0])
 
 
 if __name__ == "__main__":

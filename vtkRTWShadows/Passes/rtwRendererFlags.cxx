@@ -8,8 +8,11 @@
 #include "vtkDualDepthPeelingPass.h"
 #include "vtkFXAAOptions.h"
 #include "vtkHiddenLineRemovalPass.h"
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLFXAAFilter.h"
+#include "vtkOpenGLRenderPass.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkOpenGLState.h"
 #include "vtkOrderIndependentTranslucentPass.h"
@@ -113,8 +116,13 @@ RendererFlags::~RendererFlags() = default;
 
 void RendererFlags::Begin(const vtkRenderState* s)
 {
+  const auto isDrawnByPass = [](vtkProp* prop) {
+    vtkInformation* keys = prop->GetPropertyKeys();
+    return keys && keys->Length(vtkOpenGLRenderPass::RenderPasses()) > 0;
+  };
   vtkProp** props = s->GetPropArray();
   const int count = s->GetPropArrayCount();
+  this->Inside = s->GetFrameBuffer() || std::any_of(props, props + count, isDrawnByPass);
   this->HidesLines = false;
   this->PeeledVolumes = false;
   this->HasTranslucent = std::any_of(props, props + count,
@@ -154,7 +162,7 @@ vtkRenderPass* RendererFlags::DrawTranslucent(
   {
     return this->Peel(s, volumetric);
   }
-  return BlendsInAnyOrder(s->GetRenderer()) ? this->Blending.Get() : translucent;
+  return !this->Inside && BlendsInAnyOrder(s->GetRenderer()) ? this->Blending.Get() : translucent;
 }
 
 vtkRenderPass* RendererFlags::Peel(const vtkRenderState* s, vtkRenderPass* volumetric)

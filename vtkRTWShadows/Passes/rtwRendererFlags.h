@@ -35,6 +35,7 @@ public:
   /// What surrounds the opaque step, itself where nothing does. Hidden lines have none, as in VTK.
   vtkRenderPass* AroundOpaque(const vtkRenderState* s, vtkRenderPass* step);
   /// The pass that draws translucent props, or that plain one that is given. Null where nothing is translucent.
+  /// Inside another pass only peeling is heeded: blending in any order draws aside, where that pass's code is wrong.
   vtkRenderPass* DrawTranslucent(
     const vtkRenderState* s, vtkRenderPass* translucent, vtkRenderPass* volumetric);
   /// Whether that pass draws the volumes too.
@@ -49,6 +50,7 @@ private:
 
   bool HidesLines = false;
   bool HasTranslucent = false;
+  bool Inside = false; ///< another pass, which has code of its own in the props' shaders or draws aside
   bool PeeledVolumes = false;
   vtkNew<HiddenLinesStep> HiddenLines;
   vtkNew<vtkSSAOPass> Occlusion;
