@@ -153,7 +153,7 @@ class Stage:
             steps = vtk.vtkRenderStepsPass()
             if technique != "steps":
                 shadows = rtwshadows.techniques.make_pass(technique)
-                shadows.SetResolution(256)
+                shadows.SetResolution(128)
                 steps = rtwshadows.vtkShadowRenderStepsPass()
                 steps.SetShadowMapPass(shadows)
                 passes.append(shadows)
