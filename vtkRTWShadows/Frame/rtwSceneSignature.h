@@ -17,12 +17,12 @@ namespace rtw
 {
 struct ScenePart;
 
-/// Of a mesh that is drawn from buffers of our own: its geometry and its place, and nothing of how it
-/// looks.
+/// Of a mesh that is drawn from buffers of our own: its geometry and its place, and nothing of how
+/// it looks.
 std::uint64_t SignPart(std::uint64_t signature, const ScenePart& part);
 
-/// Of a prop that VTK's mappers draw: all that may change its silhouette or what it cuts out, and in
-/// doubt more than that. What its bounds depend on has to be up to date.
+/// Of a prop that VTK's mappers draw: all that may change its silhouette or what it cuts out, and
+/// in doubt more than that. What its bounds depend on has to be up to date.
 std::uint64_t SignProp(std::uint64_t signature, vtkProp* prop);
 
 /// The parts of the latter, for props that hold mappers in ways of their own.

@@ -12,8 +12,7 @@
 
 namespace rtw
 {
-/// No more of the shape than the code depends on, so that passes of different techniques mostly have
-/// the same.
+/// No more of the shape than the code depends on, so that different techniques mostly have the same.
 struct ReceiverCode
 {
   ReceiverShape Shape;
@@ -25,9 +24,9 @@ struct ReceiverCode
   std::string GetName() const;
 };
 
-/// Stands for a piece of code in the keys of props. A mapper builds its shaders anew whenever it finds
-/// another object there than the last time, so there is one for each code, whichever pass in whichever
-/// viewport draws with it; what the mapper asks of it, that pass answers.
+/// Stands for a piece of code in the keys of props. A mapper builds its shaders anew whenever it
+/// finds another object there than the last time, so there is one for each code, whichever pass in
+/// whichever viewport draws with it; what the mapper asks of it, that pass answers.
 class ReceiverCodePass : public vtkOpenGLRenderPass
 {
 public:
