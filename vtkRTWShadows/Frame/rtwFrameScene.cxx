@@ -338,7 +338,7 @@ std::optional<SceneShading> FrameScene::FindShading(
 
 FrameScene CollectScene(vtkRenderer* renderer, const SceneKeys& keys, bool ownDrawing)
 {
-  Collector collector{ {}, keys, ownDrawing };
+  Collector collector{ {}, keys, ownDrawing, {} };
   collector.Result.SamplesAreComplete = KeepsAllInView(renderer);
   vtkPropCollection* props = renderer->GetViewProps();
   vtkCollectionSimpleIterator it;
