@@ -70,7 +70,9 @@ void FitSpot(LightFrame& frame, const ExtentFunction& extent, const glm::dvec3& 
   // A margin that doesn't grow with the distance of a lamp that is far from what it shines on.
   const double reach = std::max(along.y, 1e-30);
   double size = 1e-9 * reach;
-  for (const glm::dvec3& axis : { frame.SAxis, frame.TAxis, light.Direction })
+  // However the light plane is turned.
+  const Basis basis = BasisOf(light.Direction);
+  for (const glm::dvec3& axis : { basis.S, basis.T, light.Direction })
   {
     const glm::dvec2 ends = extent(axis);
     size = std::max(size, ends.y - ends.x);
