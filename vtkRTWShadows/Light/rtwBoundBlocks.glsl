@@ -1,4 +1,5 @@
-// The bounds of each block of view samples that the light can reach, and between which distances along the view direction they lie.
+// The bounds of each block of view samples that the light can reach, and between which distances along the view direction, from where view
+// coordinates begin, they lie.
 layout(local_size_x = 256) in;
 layout(std430, binding = 1) writeonly buffer Blocks
 {

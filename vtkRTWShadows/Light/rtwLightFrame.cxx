@@ -70,11 +70,9 @@ void FitSpot(LightFrame& frame, const ExtentFunction& extent, const glm::dvec3& 
   // A margin that doesn't grow with the distance of a lamp that is far from what it shines on.
   const double reach = std::max(along.y, 1e-30);
   double size = 1e-9 * reach;
-  // However the light plane is turned.
-  const Basis basis = BasisOf(light.Direction);
-  for (const glm::dvec3& axis : { basis.S, basis.T, light.Direction })
+  for (int axis = 0; axis < 3; ++axis) // of the world, however the frame is turned
   {
-    const glm::dvec2 ends = extent(axis);
+    const glm::dvec2 ends = extent(glm::dmat3(1)[axis]);
     size = std::max(size, ends.y - ends.x);
   }
   const double farthest = reach + 1e-3 * std::min(reach, size);

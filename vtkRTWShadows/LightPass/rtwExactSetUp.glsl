@@ -1,5 +1,5 @@
 // The triangles of a cluster that may shadow any sample, and where the search for those samples starts. In double precision, because the
-// origin of the light plane is the eye, not the mesh.
+// origin of the light plane is the view's, not the mesh's.
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer Points
 {

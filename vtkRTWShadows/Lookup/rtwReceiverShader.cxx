@@ -164,19 +164,21 @@ void PutTaps(
   taps.insert(taps.end(), { float(spacing), float(width + options.FilterTexels) });
 }
 
-// Has a vertex shader tell the fragments where they lie in the view coordinates of the shadows; false where it isn't VTK's plain one, as
-// of glyphs and of what a geometry shader makes.
+// Has a vertex shader tell the fragments where they lie in the view coordinates of the shadows, as it tells where in VTK's; false where it
+// does that in another way, a geometry shader makes the fragments, or they find out themselves, as imposters do.
 bool InjectPosition(ReceiverSources sources)
 {
-  const char* const vtks = "vertexVCVSOutput = MCVCMatrix * vertexMC;";
-  if (!Contains(sources.Vertex, vtks) || Contains(sources.Geometry, "EmitVertex"))
+  const std::string vtks = "vertexVCVSOutput = MCVCMatrix * ";
+  std::string& vertex = sources.Vertex;
+  const std::size_t at = vertex.find(vtks), end = vertex.find(';', at);
+  if (at == std::string::npos || end == std::string::npos ||
+    Contains(sources.Geometry, "EmitVertex") || Contains(sources.Fragment, "gl_FragDepth ="))
   {
     return false;
   }
-  vtkShaderProgram::Substitute(sources.Vertex, vtks,
-    std::string(vtks) + "\n  rtwPositionVSOutput = (rtwModelToView * vertexMC).xyz;\n", false);
-  InsertBeforeMain(
-    sources.Vertex, "uniform mat4 rtwModelToView;\nout vec3 rtwPositionVSOutput;\n");
+  const std::string stored = vertex.substr(at + vtks.size(), end - at - vtks.size());
+  vertex.insert(end + 1, "\n  rtwPositionVSOutput = (rtwModelToView * " + stored + ").xyz;");
+  InsertBeforeMain(vertex, "uniform mat4 rtwModelToView;\nout vec3 rtwPositionVSOutput;\n");
   return true;
 }
 

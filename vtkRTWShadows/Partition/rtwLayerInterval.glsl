@@ -1,6 +1,7 @@
-// Which of a light's layers a point of the view belongs to: the one whose interval holds its distance along the view direction, and of the
-// faces of the view frustum that those depths may be divided among the one that a beam of light goes through there. Behind its focus in the
-// warp table stands a layer's interval: from and up to; and where the layer before begins to give way to this one.
+// Which of a light's layers a point of the view belongs to: the one whose interval holds its distance along the view direction, from where
+// view coordinates begin, and of the faces of the view frustum that those depths may be divided among the one that a beam of light goes
+// through there. Behind its focus in the warp table stands a layer's interval: from and up to; and where the layer before begins to give
+// way to this one.
 #if defined(RTW_FACES)
 const int rtwFaces = RTW_FACES;
 #else

@@ -27,7 +27,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Where the depths are split.
+   * Where the depths are split: those that are seen, from the eye. A parallel view has no eye, and
+   * even ratios are even steps there.
    */
   enum SplitSchemes
   {
