@@ -138,7 +138,8 @@ public:
   bool GetLayerDepthRange(int light, int layer, double range[2]);
 
   /**
-   * Bytes of GPU memory that shadow maps, warping maps and view samples take.
+   * Bytes of GPU memory that shadow maps, warping maps and view samples take: in stereo, of both eyes. What else is asked
+   * of the last frame is of the eye that was drawn last.
    */
   vtkTypeInt64 GetShadowMemory();
 
