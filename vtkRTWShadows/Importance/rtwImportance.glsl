@@ -55,7 +55,8 @@ float rtwLuminance(LitSample s)
 
 float rtwUserValue(LitSample s, vec4 focus)
 {
-  float value = rtwUserFunction(s.position - vec3(0.0, 0.0, rtwViewBegin), s.normal, rtwDistance(s.position), rtwLuminance(s), s.footprint * focus.yw);
+  vec3 fromCamera = s.position - vec3(0.0, 0.0, rtwViewBegin);
+  float value = rtwUserFunction(fromCamera, s.normal, -fromCamera.z, rtwLuminance(s), s.footprint * focus.yw);
   return value > 0.0 ? min(value, LARGEST) : 0.0; // nor is what is not a number
 }
 

@@ -2,8 +2,9 @@
 // A light's view of the world, in double precision: where a point lies on the light plane, and how deep.
 //
 // Light-plane coordinates l have their origin where view coordinates do, at the viewer's eye or at what that sees from afar, so that
-// they are precise near it when they become floats: across a directional light in world units, across a spot as the tangents of angles. Depth is linear in l over
-// any plane (for a spot it goes with the inverse distance along the axis), 0 at the near end of the scene, 1 at the far.
+// they are precise near it when they become floats: across a directional light in world units, across a spot as the tangents of
+// angles. Depth is linear in l over any plane (for a spot it goes with the inverse distance along the axis), 0 at the near end of the
+// scene, 1 at the far.
 #ifndef rtwLightFrame_h
 #define rtwLightFrame_h
 

@@ -1,8 +1,9 @@
 // What each pixel shows, as the light sees it, and how many samples fall on each texel.
 //
 // Depth is signed distance along a directional light, from where view coordinates begin, and r - r²/w under a spot, w being the distance
-// along its axis and r that of what is seen: both linear over a plane, and as precise as floats are there. A sample is put nearer to the light by as much as roundings
-// can be, so that the triangle that it lies on, and that one's neighbours at their common edge, are not in front of it.
+// along its axis and r that of what is seen: both linear over a plane, and as precise as floats are there. A sample is put nearer to the
+// light by as much as roundings can be, so that the triangle that it lies on, and that one's neighbours at their common edge, are not in
+// front of it.
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(std430, binding = 0) writeonly buffer Found
 {
