@@ -201,7 +201,6 @@ void rtwOddState::SetRecorded()
   state->vtkglCullFace(GL_FRONT_AND_BACK);
   state->vtkglEnable(GL_SCISSOR_TEST);
   state->vtkglScissor(3, 4, 5, 6);
-  state->vtkglViewport(1, 2, 30, 20);
   state->vtkglEnable(GL_STENCIL_TEST);
   state->vtkglStencilFunc(GL_NEVER, 3, 5);
   state->vtkglStencilOp(GL_INVERT, GL_ZERO, GL_INCR);

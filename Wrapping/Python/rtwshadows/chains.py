@@ -24,6 +24,7 @@ from vtkmodules.vtkRenderingOpenGL2 import (
     vtkVolumetricPass,
 )
 
+_OWN_STEPS = "_rtwshadows_own_steps"
 _STEPS = ("LightsPass", "OpaquePass", "TranslucentPass", "VolumetricPass", "OverlayPass",
           "PostProcessPass")
 # By these names a pass of any class holds another.
@@ -181,11 +182,14 @@ def _find_drawer(place, seen):
 
 def _take_over(steps, render_pass):
     """Let our steps draw what a pass draws."""
-    source = vtkRenderStepsPass() if render_pass is None else render_pass
-    if isinstance(source, vtkRenderStepsPass):
-        _copy_steps(source, steps)
+    _remember_steps(steps)
+    if render_pass is None:
+        _restore_steps(steps)
         return
-    items = _flat(source)
+    if isinstance(render_pass, vtkRenderStepsPass):
+        _copy_steps(render_pass, steps)
+        return
+    items = _flat(render_pass)
     opaque = next((i for i, item in enumerate(items) if _draws_opaque(item)), None)
     if opaque is None:
         _copy_steps(vtkRenderStepsPass(), steps)
@@ -201,6 +205,17 @@ def _take_over(steps, render_pass):
     steps.SetVolumetricPass(_joined(after))
     steps.SetOverlayPass(None)
     steps.SetPostProcessPass(None)
+
+
+# The steps' own follow the renderer's flags, as those that are set do not.
+def _remember_steps(steps):
+    if not hasattr(steps, _OWN_STEPS):
+        setattr(steps, _OWN_STEPS, {name: getattr(steps, "Get" + name)() for name in _STEPS})
+
+
+def _restore_steps(steps):
+    for name, own in getattr(steps, _OWN_STEPS).items():
+        getattr(steps, "Set" + name)(own)
 
 
 def _copy_steps(source, target):
