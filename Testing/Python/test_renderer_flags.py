@@ -84,7 +84,7 @@ FLAGS = (fxaa, fxaa_with_options, ssao, ssao_with_settings, hidden_lines, peelin
 class Scene(Stage):
     """With what each flag is for: glass behind glass, a volume, a wireframe before a face."""
 
-    def __init__(self, flags=(), attenuation=1e-5, samples=0, glass=True, wireframe=False, volume=False):
+    def __init__(self, flags=(), attenuation=1e-9, samples=0, glass=True, wireframe=False, volume=False):
         super().__init__(SIZE, samples, attenuation)
         for x, y in ((-1.5, 0.5), (-1.3, -0.6)) if glass else ():
             ball = self.add_ball(x, y, 1, 0.6)

@@ -209,7 +209,7 @@ struct Collector
       shading.DrawsItself = !plain || thick;
       shading.IsUnsampled = leaf.Actor->HasTranslucentPolygonalGeometry() != 0;
       this->Shade(owner, leaf, shading, leaves.HasOthers);
-      this->Leaves.push_back({ KeysOf(owner), leaf.Actor->GetMapper(), leaf.Actor });
+      this->Leaves.push_back({ KeysOf(owner), ChosenMapper(leaf.Actor), leaf.Actor });
       added.Translucent = added.Translucent || shading.IsUnsampled;
       if (plain)
       {
@@ -314,15 +314,16 @@ std::optional<SceneShading> FrameScene::FindShading(
   const vtkObjectBase* mapper, const vtkObjectBase* actor, const vtkObjectBase* keys) const
 {
   const SceneShading* const shared = this->Find(keys);
+  const SceneShading* const ofMapper = this->Find(mapper);
   const SceneShading* own = this->Find(actor);
-  if (!own && shared && shared->IsMixed)
+  if (!own && !ofMapper && shared && shared->IsMixed)
   {
     return std::nullopt;
   }
   own = own ? own : shared;
   SceneShading shading = own ? *own : SceneShading();
   // A mapper keeps one program, whichever of its actors it draws.
-  if (const SceneShading* const ofMapper = this->Find(mapper))
+  if (ofMapper)
   {
     shading.DrawsItself = shading.DrawsItself || ofMapper->DrawsItself;
     shading.IsUnsampled = shading.IsUnsampled || ofMapper->IsUnsampled;
