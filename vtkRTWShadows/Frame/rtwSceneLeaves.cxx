@@ -51,6 +51,10 @@ bool IsAnnotation(vtkProp* prop)
 vtkActor* ChosenLevel(vtkLODProp3D* levels)
 {
   const int chosen = levels->GetLastRenderedLODID();
+  if (chosen < 0)
+  {
+    return nullptr; // VTK hasn't chosen yet, and complains where it is asked for that level
+  }
   vtkNew<vtkPropCollection> actors;
   levels->GetActors(actors);
   vtkCollectionSimpleIterator it;
