@@ -5,6 +5,8 @@
 #include "rtwVTKCompatibility.h"
 
 #include "vtkActor.h"
+#include "vtkAssemblyNode.h"
+#include "vtkAssemblyPath.h"
 #include "vtkDualDepthPeelingPass.h"
 #include "vtkFXAAOptions.h"
 #include "vtkHiddenLineRemovalPass.h"
@@ -28,6 +30,26 @@
 
 namespace rtw
 {
+namespace
+{
+// A part of an assembly that has levels of detail chooses one when it is drawn, and can't be asked before.
+bool MayBeTranslucent(vtkProp* prop)
+{
+  if (!prop->IsA("vtkAssembly"))
+  {
+    return prop->HasTranslucentPolygonalGeometry() != 0;
+  }
+  bool found = false;
+  prop->InitPathTraversal();
+  while (vtkAssemblyPath* path = prop->GetNextPath())
+  {
+    vtkProp* part = path->GetLastNode()->GetViewProp();
+    found = found || part->IsA("vtkLODProp3D") || part->HasTranslucentPolygonalGeometry();
+  }
+  return found;
+}
+}
+
 // VTK's pass draws wireframes as surfaces too, by changing their properties and changing them back: nothing that a frame
 // after it would have to be drawn anew for.
 class HiddenLinesStep : public vtkRenderPass
@@ -126,7 +148,7 @@ void RendererFlags::Begin(const vtkRenderState* s)
   this->HidesLines = false;
   this->PeeledVolumes = false;
   this->HasTranslucent = std::any_of(props, props + count,
-    [](vtkProp* prop) { return prop->HasTranslucentPolygonalGeometry() != 0; });
+    [](vtkProp* prop) { return MayBeTranslucent(prop); });
 }
 
 vtkRenderPass* RendererFlags::DrawOpaque(const vtkRenderState* s, vtkRenderPass* opaque)
