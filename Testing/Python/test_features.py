@@ -19,9 +19,9 @@ import unittest
 import numpy
 
 from features.stage import ROWS, Stage, make, vtk
-from features import pass_rows, prop_rows, window_rows
+from features import look_rows, pass_rows, prop_rows, window_rows
 
-GROUPS = {"props": prop_rows, "passes": pass_rows, "windows": window_rows}
+GROUPS = {"props": (look_rows, prop_rows), "passes": (pass_rows,), "windows": (window_rows,)}
 NO_CHANGE = 1e-9  # 1 - NO_CHANGE is 1 as a float
 LEVELS = 1  # of 255
 DEPTHS = 2.0 ** -22
@@ -92,8 +92,8 @@ def rows_of(names):
     """With each group's rows in place of its name."""
     found = []
     for name in names:
-        module = GROUPS[name].__name__ if name in GROUPS else None
-        found += [row for row in ROWS if ROWS[row].__module__ == module] if module else [name]
+        modules = [module.__name__ for module in GROUPS.get(name, ())]
+        found += [row for row in ROWS if ROWS[row].__module__ in modules] if modules else [name]
     return found
 
 

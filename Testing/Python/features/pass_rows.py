@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Features of renderers and of render passes around, before and behind our steps."""
 
-from .prop_rows import opacity_textures, picture_of, translucent, volumes, wireframe
+from .look_rows import opacity_textures, picture_of, translucent, wireframe
+from .prop_rows import volumes
 from .stage import ball, make, row, vtk
 
 

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Features of windows: viewports, layers, stereo, screenshots, picks."""
 
-from .prop_rows import translucent, volumes
+from .look_rows import translucent
+from .prop_rows import volumes
 from .stage import actor_of, ball, floor, make, pixels_of, row, vtk, vtk_to_numpy
 
 
