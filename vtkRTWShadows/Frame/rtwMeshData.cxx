@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rtwMeshData.h"
 
+#include "rtwMeshPoints.h"
 #include "rtwMorton.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,73 +28,27 @@ struct Sortable
 // Octaves of size that share a group of clusters: a ground plane must not stretch the bounds of the leaves over it.
 constexpr int OctavesPerGroup = 3;
 
-bool IsFinite(const glm::vec3& p)
-{
-  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
-
 struct Builder
 {
   vtkPolyData* Data;
   MeshData Mesh;
-  std::vector<glm::vec3> Points; ///< in the order of the input
+  MeshPoints Input;
   std::vector<Triangle> Triangles;
   std::vector<std::uint32_t> Lines;
   std::vector<std::uint32_t> Vertices;
 
   explicit Builder(vtkPolyData* data)
     : Data(data)
+    , Input(ReadPoints(data))
   {
-  }
-
-  void ReadPoints()
-  {
-    vtkPoints* points = this->Data->GetPoints();
-    double bounds[6];
-    this->Data->GetBounds(bounds);
-    this->Mesh.Centre = 0.5 *
-      glm::dvec3(bounds[0] + bounds[1], bounds[2] + bounds[3], bounds[4] + bounds[5]);
-    if (!IsFinite(glm::vec3(this->Mesh.Centre)))
-    {
-      this->Mesh.Centre = glm::dvec3(0);
-    }
-    this->Points.resize(points->GetNumberOfPoints());
-    for (std::size_t i = 0; i < this->Points.size(); ++i)
-    {
-      double p[3];
-      points->GetPoint(static_cast<vtkIdType>(i), p);
-      this->Points[i] = glm::vec3(glm::dvec3(p[0], p[1], p[2]) - this->Mesh.Centre);
-    }
-  }
-
-  bool Exists(vtkIdType id) const
-  {
-    return id >= 0 && id < static_cast<vtkIdType>(this->Points.size()) &&
-      IsFinite(this->Points[id]);
+    this->Mesh.Centre = this->Input.Centre;
   }
 
   void AddTriangle(vtkIdType a, vtkIdType b, vtkIdType c)
   {
-    if (this->Exists(a) && this->Exists(b) && this->Exists(c) && a != b && b != c && c != a)
+    if (this->Input.Exists(a) && this->Input.Exists(b) && this->Input.Exists(c) && a != b && b != c && c != a)
     {
       this->Triangles.push_back({ std::uint32_t(a), std::uint32_t(b), std::uint32_t(c) });
-    }
-  }
-
-  template <class Visit>
-  static void ForEachCell(vtkCellArray* cells, Visit visit)
-  {
-    if (!cells)
-    {
-      return;
-    }
-    auto cell = vtk::TakeSmartPointer(cells->NewIterator());
-    for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell())
-    {
-      vtkIdType count;
-      const vtkIdType* ids;
-      cell->GetCurrentCell(count, ids);
-      visit(count, ids);
     }
   }
 
@@ -122,7 +74,7 @@ struct Builder
     ForEachCell(this->Data->GetLines(), [this](vtkIdType count, const vtkIdType* ids) {
       for (vtkIdType k = 1; k < count; ++k)
       {
-        if (this->Exists(ids[k - 1]) && this->Exists(ids[k]))
+        if (this->Input.Exists(ids[k - 1]) && this->Input.Exists(ids[k]))
         {
           this->Lines.push_back(std::uint32_t(ids[k - 1]));
           this->Lines.push_back(std::uint32_t(ids[k]));
@@ -132,7 +84,7 @@ struct Builder
     ForEachCell(this->Data->GetVerts(), [this](vtkIdType count, const vtkIdType* ids) {
       for (vtkIdType k = 0; k < count; ++k)
       {
-        if (this->Exists(ids[k]))
+        if (this->Input.Exists(ids[k]))
         {
           this->Vertices.push_back(std::uint32_t(ids[k]));
         }
@@ -147,8 +99,8 @@ struct Builder
     {
       for (const std::uint32_t id : t)
       {
-        low = glm::min(low, this->Points[id]);
-        high = glm::max(high, this->Points[id]);
+        low = glm::min(low, this->Input.Points[id]);
+        high = glm::max(high, this->Input.Points[id]);
       }
     }
     const glm::vec3 size = high - low;
@@ -157,7 +109,7 @@ struct Builder
     for (std::size_t i = 0; i < order.size(); ++i)
     {
       const Triangle& t = this->Triangles[i];
-      const glm::vec3 &a = this->Points[t[0]], &b = this->Points[t[1]], &c = this->Points[t[2]];
+      const glm::vec3 &a = this->Input.Points[t[0]], &b = this->Input.Points[t[1]], &c = this->Input.Points[t[2]];
       const glm::vec3 extents = glm::max(a, glm::max(b, c)) - glm::min(a, glm::min(b, c));
       const float extent = std::max({ extents.x, extents.y, extents.z });
       const int octave = std::clamp(-std::ilogb(std::max(extent / side, 1e-9f)), 0, 30);
@@ -194,8 +146,8 @@ struct Builder
     {
       for (const std::uint32_t id : this->Triangles[s->Triangle])
       {
-        cluster.Low = glm::min(cluster.Low, this->Points[id]);
-        cluster.High = glm::max(cluster.High, this->Points[id]);
+        cluster.Low = glm::min(cluster.Low, this->Input.Points[id]);
+        cluster.High = glm::max(cluster.High, this->Input.Points[id]);
         this->Mesh.Indices.push_back(id);
       }
       for (int k = sizeClass(*s); k < MeshCluster::SizeClasses; ++k)
@@ -226,13 +178,13 @@ struct Builder
   void CompactPoints()
   {
     constexpr std::uint32_t unused = ~0u;
-    std::vector<std::uint32_t> place(this->Points.size(), unused);
+    std::vector<std::uint32_t> place(this->Input.Points.size(), unused);
     for (std::uint32_t& id : this->Mesh.Indices)
     {
       if (place[id] == unused)
       {
         place[id] = static_cast<std::uint32_t>(this->Mesh.Points.size());
-        this->Mesh.Points.push_back(this->Points[id]);
+        this->Mesh.Points.push_back(this->Input.Points[id]);
       }
       id = place[id];
     }
@@ -247,7 +199,6 @@ MeshData BuildMeshData(vtkPolyData* data)
     return {};
   }
   Builder builder(data);
-  builder.ReadPoints();
   builder.ReadCells();
   builder.AddClusters();
   MeshData& mesh = builder.Mesh;

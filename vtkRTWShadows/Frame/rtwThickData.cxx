@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rtwThickData.h"
 
+#include "rtwMeshPoints.h"
 #include "rtwMorton.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -18,57 +14,20 @@ namespace rtw
 {
 namespace
 {
-bool IsFinite(const glm::dvec3& p)
-{
-  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
-
 struct Builder
 {
   vtkPolyData* Data;
+  MeshPoints Input;
   ThickData Result;
   std::vector<std::uint64_t> Edges; ///< each by its points, the lesser first
   std::vector<bool> IsBall;         ///< a point
 
-  void ReadPoints()
+  explicit Builder(vtkPolyData* data)
+    : Data(data)
+    , Input(ReadPoints(data))
+    , IsBall(Input.Points.size(), false)
   {
-    vtkPoints* points = this->Data->GetPoints();
-    double bounds[6];
-    this->Data->GetBounds(bounds);
-    const glm::dvec3 centre = 0.5 *
-      glm::dvec3(bounds[0] + bounds[1], bounds[2] + bounds[3], bounds[4] + bounds[5]);
-    this->Result.Centre = IsFinite(centre) ? centre : glm::dvec3(0);
-    this->Result.Points.resize(points->GetNumberOfPoints());
-    for (std::size_t i = 0; i < this->Result.Points.size(); ++i)
-    {
-      double p[3];
-      points->GetPoint(static_cast<vtkIdType>(i), p);
-      this->Result.Points[i] = glm::vec3(glm::dvec3(p[0], p[1], p[2]) - this->Result.Centre);
-    }
-    this->IsBall.assign(this->Result.Points.size(), false);
-  }
-
-  bool Exists(vtkIdType id) const
-  {
-    return id >= 0 && id < static_cast<vtkIdType>(this->Result.Points.size()) &&
-      IsFinite(glm::dvec3(this->Result.Points[id]));
-  }
-
-  template <class Visit>
-  static void ForEachCell(vtkCellArray* cells, Visit visit)
-  {
-    if (!cells)
-    {
-      return;
-    }
-    auto cell = vtk::TakeSmartPointer(cells->NewIterator());
-    for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell())
-    {
-      vtkIdType count;
-      const vtkIdType* ids;
-      cell->GetCurrentCell(count, ids);
-      visit(count, ids);
-    }
+    this->Result.Centre = this->Input.Centre;
   }
 
   void AddBalls(vtkCellArray* cells)
@@ -76,7 +35,7 @@ struct Builder
     ForEachCell(cells, [this](vtkIdType count, const vtkIdType* ids) {
       for (vtkIdType k = 0; k < count; ++k)
       {
-        if (this->Exists(ids[k]))
+        if (this->Input.Exists(ids[k]))
         {
           this->IsBall[ids[k]] = true;
         }
@@ -89,7 +48,7 @@ struct Builder
     const bool closed = count > 2 && ids[0] == ids[count - 1];
     for (vtkIdType k = 1; k < count; ++k)
     {
-      if (this->Exists(ids[k - 1]) && this->Exists(ids[k]))
+      if (this->Input.Exists(ids[k - 1]) && this->Input.Exists(ids[k]))
       {
         const bool before = k > 1 || closed, after = k + 1 < count || closed;
         this->Result.Segments.push_back(
@@ -101,7 +60,7 @@ struct Builder
 
   void AddEdge(vtkIdType a, vtkIdType b)
   {
-    if (a != b && this->Exists(a) && this->Exists(b))
+    if (a != b && this->Input.Exists(a) && this->Input.Exists(b))
     {
       this->Edges.push_back(std::uint64_t(std::min(a, b)) << 32 | std::uint64_t(std::max(a, b)));
     }
@@ -160,7 +119,7 @@ struct Builder
 
   glm::vec3 PointOf(std::uint32_t end) const
   {
-    return this->Result.Points[ThickSegment::Point(end)];
+    return this->Input.Points[ThickSegment::Point(end)];
   }
 
   void Sort(std::size_t first)
@@ -232,14 +191,14 @@ struct Builder
   void CompactPoints()
   {
     constexpr std::uint32_t unused = ~0u;
-    std::vector<std::uint32_t> place(this->Result.Points.size(), unused);
+    std::vector<std::uint32_t> place(this->Input.Points.size(), unused);
     std::vector<glm::vec3> used;
     const auto move = [&](std::uint32_t& end) {
       const std::uint32_t point = ThickSegment::Point(end);
       if (place[point] == unused)
       {
         place[point] = static_cast<std::uint32_t>(used.size());
-        used.push_back(this->Result.Points[point]);
+        used.push_back(this->Input.Points[point]);
       }
       end = place[point] | (end & ThickSegment::JoinedBit);
     };
@@ -259,8 +218,7 @@ ThickData BuildThickData(vtkPolyData* data, ThickLook::Shape shape, bool allPoin
   {
     return {};
   }
-  Builder builder{ data, {}, {}, {} };
-  builder.ReadPoints();
+  Builder builder(data);
   builder.ReadCells(shape, allPoints);
   builder.Result.Lines = builder.Divide(0);
   const std::size_t lines = builder.Result.Segments.size();
