@@ -214,7 +214,10 @@ struct Builder
 
 ThickData BuildThickData(vtkPolyData* data, ThickLook::Shape shape, bool allPoints)
 {
-  if (!data || !data->GetPoints() || data->GetNumberOfCells() == 0)
+  const bool any = data && data->GetPoints() && data->GetNumberOfCells() > 0;
+  const bool surfaceCasts = shape != ThickLook::Shape::Surface || allPoints;
+  // Most meshes have none, and their points needn't be read for that.
+  if (!any || (!surfaceCasts && data->GetNumberOfLines() == 0 && data->GetNumberOfVerts() == 0))
   {
     return {};
   }
