@@ -1,23 +1,18 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A ball above a floor under one lamp, for tests that compare pictures."""
 
-import os
+from pictures import grab
 
-os.environ.pop("DISPLAY", None)
-os.environ.pop("WAYLAND_DISPLAY", None)
-
-import rtwshadows  # noqa: E402
-from vtkmodules.vtkCommonCore import vtkUnsignedCharArray  # noqa: E402
-from vtkmodules.util.numpy_support import vtk_to_numpy  # noqa: E402
-from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource  # noqa: E402
-from vtkmodules.vtkRenderingCore import (  # noqa: E402
+import rtwshadows
+from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
+from vtkmodules.vtkRenderingCore import (
     vtkActor,
     vtkLight,
     vtkPolyDataMapper,
     vtkRenderer,
     vtkRenderWindow,
 )
-from vtkmodules.vtkRenderingOpenGL2 import (  # noqa: E402
+from vtkmodules.vtkRenderingOpenGL2 import (
     vtkCameraPass,
     vtkRenderPassCollection,
     vtkSequencePass,
@@ -81,10 +76,7 @@ class Stage:
 
     def drawn(self):
         """What the window shows now, from below to above."""
-        width, height = self.window.GetSize()
-        pixels = vtkUnsignedCharArray()
-        self.window.GetPixelData(0, 0, width - 1, height - 1, 0, pixels, 0)
-        return vtk_to_numpy(pixels).astype(int).reshape(height, width, 3)
+        return grab(self.window)
 
     def picture(self):
         self.window.Render()

@@ -6,6 +6,8 @@ where a map's texel or the ball's facets decide."""
 
 import math
 
+from pictures import grab
+
 import numpy as np
 import rtwshadows
 import vtkmodules.all as vtk
@@ -85,13 +87,7 @@ class Scene:
 
     def draw(self):
         self.window.Render()
-        grab = vtk.vtkWindowToImageFilter()
-        grab.SetInput(self.window)
-        grab.ReadFrontBufferOff()
-        grab.ShouldRerenderOff()
-        grab.Update()
-        scalars = grab.GetOutput().GetPointData().GetScalars()
-        return vtk_to_numpy(scalars).reshape(SIZE[1], SIZE[0], -1).astype(int)
+        return grab(self.window)
 
     def mask(self):
         image = self.shadows.GetShadowMask(0)

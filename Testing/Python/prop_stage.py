@@ -6,15 +6,10 @@ it; so what is darkened by the mask of what lies behind it is seen to be. A roof
 put above the prop: what receives is dark below it.
 """
 
-import os
+from pictures import grab
 
-os.environ.pop("DISPLAY", None)
-os.environ.pop("WAYLAND_DISPLAY", None)
-
-import numpy as np  # noqa: E402
-import rtwshadows  # noqa: E402
-import vtkmodules.all as vtk  # noqa: E402
-from vtkmodules.util.numpy_support import vtk_to_numpy  # noqa: E402
+import rtwshadows
+import vtkmodules.all as vtk
 
 CENTRE = (0, -3.7, 0.8)  # of the prop
 HALF = 0.7
@@ -78,10 +73,7 @@ class Stage:
 
     def shoot(self):
         self.window.Render()
-        grab = make("vtkWindowToImageFilter", Input=self.window, ReadFrontBuffer=False, ShouldRerender=False)
-        grab.Update()
-        w, h, _ = grab.GetOutput().GetDimensions()
-        return vtk_to_numpy(grab.GetOutput().GetPointData().GetScalars()).reshape(h, w, -1).astype(int)
+        return grab(self.window)
 
     def look(self, prop):
         """What shadows do to a prop and it to them; see Seen."""

@@ -1,23 +1,17 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A small scene for tests of the package: a ball above a floor, a pane before it, a sun."""
 
-import os
+from pictures import grab
 
-os.environ.pop("DISPLAY", None)
-os.environ.pop("WAYLAND_DISPLAY", None)
-
-import rtwshadows  # noqa: E402,F401  (makes the default window a headless one)
-from vtkmodules.util.numpy_support import vtk_to_numpy  # noqa: E402
-from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource  # noqa: E402
-from vtkmodules.vtkRenderingCore import (  # noqa: E402
+from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
+from vtkmodules.vtkRenderingCore import (
     vtkActor,
     vtkLight,
     vtkPolyDataMapper,
     vtkRenderer,
     vtkRenderWindow,
-    vtkWindowToImageFilter,
 )
-from vtkmodules.vtkRenderingOpenGL2 import (  # noqa: E402
+from vtkmodules.vtkRenderingOpenGL2 import (
     vtkRenderPassCollection,
     vtkSequencePass,
 )
@@ -93,14 +87,7 @@ def make_window(*renderers, size=(160, 120)):
 def picture(window):
     """Rows of pixels, from the bottom, of three integers."""
     window.Render()
-    grab = vtkWindowToImageFilter()
-    grab.SetInput(window)
-    grab.ReadFrontBufferOff()
-    grab.ShouldRerenderOff()
-    grab.Update()
-    width, height, _ = grab.GetOutput().GetDimensions()
-    pixels = vtk_to_numpy(grab.GetOutput().GetPointData().GetScalars())
-    return pixels.astype(int).reshape(height, width, 3)
+    return grab(window)
 
 
 def darker(before, after):

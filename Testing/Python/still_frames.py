@@ -1,24 +1,21 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A stage whose still frames draw no layers, and what the tests of those ask of it."""
 
-import os
 import unittest
 
-os.environ.pop("DISPLAY", None)
-os.environ.pop("WAYLAND_DISPLAY", None)
+from pictures import grab
 
-import rtwshadows  # noqa: E402
-from vtkmodules.util.numpy_support import vtk_to_numpy  # noqa: E402
-from vtkmodules.vtkCommonDataModel import vtkPlane  # noqa: E402
-from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource  # noqa: E402
-from vtkmodules.vtkRenderingCore import (  # noqa: E402
+import rtwshadows
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkPlane
+from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
+from vtkmodules.vtkRenderingCore import (
     vtkActor,
     vtkLight,
     vtkMapper,
     vtkPolyDataMapper,
     vtkRenderer,
     vtkRenderWindow,
-    vtkWindowToImageFilter,
 )
 
 
@@ -86,12 +83,7 @@ class Stage:
         return self.shadows.GetNumberOfLayersDrawn()
 
     def picture(self):
-        grab = vtkWindowToImageFilter()
-        grab.SetInput(self.window)
-        grab.ReadFrontBufferOff()
-        grab.ShouldRerenderOff()
-        grab.Update()
-        return vtk_to_numpy(grab.GetOutput().GetPointData().GetScalars()).astype(int)
+        return grab(self.window).reshape(-1, 3)
 
 
 def write(array, change):

@@ -2,16 +2,14 @@
 """What lies in texture units for a whole frame, above all the lookup textures of image-based
 lighting, is still there after our stages: where no shadow falls the picture is VTK's own."""
 
-import os
 import unittest
 
-os.environ.pop("DISPLAY", None)
-os.environ.pop("WAYLAND_DISPLAY", None)
+from pictures import grab
 
-import numpy  # noqa: E402
-import rtwshadows  # noqa: E402
-import vtkmodules.all as vtk  # noqa: E402
-from vtkmodules.util.numpy_support import vtk_to_numpy  # noqa: E402
+import numpy
+import rtwshadows
+import vtkmodules.all as vtk
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
 TECHNIQUES = rtwshadows.available_techniques()
 
@@ -49,14 +47,7 @@ def environment():
 def shoot(window, frames=2):
     for _ in range(frames):
         window.Render()
-    grab = vtk.vtkWindowToImageFilter()
-    grab.SetInput(window)
-    grab.ReadFrontBufferOff()
-    grab.ShouldRerenderOff()
-    grab.Update()
-    width, height, _ = grab.GetOutput().GetDimensions()
-    scalars = vtk_to_numpy(grab.GetOutput().GetPointData().GetScalars())
-    return scalars.reshape(height, width, -1)[..., :3].astype(int)
+    return grab(window)
 
 
 class Scene:

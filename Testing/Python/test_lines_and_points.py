@@ -2,28 +2,24 @@
 """Lines and points that are drawn some pixels wide cast the shadows of rods and balls as wide as that."""
 
 import math
-import os
 import unittest
 
-os.environ.pop("DISPLAY", None)
-os.environ.pop("WAYLAND_DISPLAY", None)
+from pictures import grab
 
-import rtwshadows  # noqa: E402
-from vtkmodules.util.numpy_support import vtk_to_numpy  # noqa: E402
-from vtkmodules.vtkFiltersCore import vtkTubeFilter  # noqa: E402
-from vtkmodules.vtkFiltersSources import (  # noqa: E402
+import rtwshadows
+from vtkmodules.vtkFiltersCore import vtkTubeFilter
+from vtkmodules.vtkFiltersSources import (
     vtkLineSource,
     vtkPlaneSource,
     vtkPointSource,
     vtkSphereSource,
 )
-from vtkmodules.vtkRenderingCore import (  # noqa: E402
+from vtkmodules.vtkRenderingCore import (
     vtkActor,
     vtkLight,
     vtkPolyDataMapper,
     vtkRenderer,
     vtkRenderWindow,
-    vtkWindowToImageFilter,
 )
 
 TECHNIQUES = ("uniform", "rtw", "notw", "perspective", "cascades", "exact")
@@ -118,13 +114,7 @@ class Stage:
         if technique:
             rtwshadows.enable_shadows(self.renderer, technique, resolution=resolution)
         self.window.Render()
-        grab = vtkWindowToImageFilter()
-        grab.SetInput(self.window)
-        grab.ReadFrontBufferOff()
-        grab.ShouldRerenderOff()
-        grab.Update()
-        pixels = vtk_to_numpy(grab.GetOutput().GetPointData().GetScalars())
-        return pixels.reshape(SIZE[1], SIZE[0], -1).astype(int)
+        return grab(self.window)
 
 
 def shadow(picture):

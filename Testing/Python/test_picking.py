@@ -4,7 +4,8 @@
 import sys
 import unittest
 
-from ball_on_floor import TECHNIQUES, Stage, rtwshadows, vtk_to_numpy
+from ball_on_floor import TECHNIQUES, Stage, rtwshadows
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import (
     vtkDataObject,
     vtkImageData,

@@ -1,26 +1,22 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Actors that several viewports share: no frame builds shaders for them, and each viewport has its own shadows."""
 
-import os
 import unittest
 
-os.environ.pop("DISPLAY", None)
-os.environ.pop("WAYLAND_DISPLAY", None)
+from pictures import grab
 
-import rtwshadows  # noqa: E402
-from vtkmodules.util.numpy_support import vtk_to_numpy  # noqa: E402
-from vtkmodules.vtkCommonCore import vtkPoints  # noqa: E402
-from vtkmodules.vtkCommonDataModel import vtkPolyData  # noqa: E402
-from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource  # noqa: E402
-from vtkmodules.vtkRenderingCore import (  # noqa: E402
+import rtwshadows
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
+from vtkmodules.vtkRenderingCore import (
     vtkActor,
     vtkLight,
     vtkPolyDataMapper,
     vtkRenderer,
     vtkRenderWindow,
-    vtkWindowToImageFilter,
 )
-from vtkmodules.vtkRenderingOpenGL2 import (  # noqa: E402
+from vtkmodules.vtkRenderingOpenGL2 import (
     vtkCameraPass,
     vtkOpenGLSphereMapper,
     vtkRenderPassCollection,
@@ -122,12 +118,7 @@ class Views:
         return self.builds() - before
 
     def picture(self):
-        grab = vtkWindowToImageFilter()
-        grab.SetInput(self.window)
-        grab.ReadFrontBufferOff()
-        grab.ShouldRerenderOff()
-        grab.Update()
-        return vtk_to_numpy(grab.GetOutput().GetPointData().GetScalars()).astype(int)
+        return grab(self.window).reshape(-1, 3)
 
 
 class TestSharedActors(unittest.TestCase):

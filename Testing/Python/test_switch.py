@@ -2,25 +2,22 @@
 """enable_shadows and disable_shadows, on a ball above a floor."""
 
 import gc
-import os
 import sys
 import unittest
 
-os.environ.pop("DISPLAY", None)
-os.environ.pop("WAYLAND_DISPLAY", None)
+from pictures import grab
 
-import rtwshadows  # noqa: E402
-from vtkmodules.util.numpy_support import vtk_to_numpy  # noqa: E402
-from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource  # noqa: E402
-from vtkmodules.vtkRenderingCore import (  # noqa: E402
+import rtwshadows
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
+from vtkmodules.vtkRenderingCore import (
     vtkActor,
     vtkLight,
     vtkPolyDataMapper,
     vtkRenderer,
     vtkRenderWindow,
-    vtkWindowToImageFilter,
 )
-from vtkmodules.vtkRenderingOpenGL2 import vtkRenderStepsPass, vtkSSAOPass  # noqa: E402
+from vtkmodules.vtkRenderingOpenGL2 import vtkRenderStepsPass, vtkSSAOPass
 
 
 def add(renderer, source):
@@ -63,12 +60,7 @@ class Plotter:
 
     def picture(self):
         self.window.Render()
-        grab = vtkWindowToImageFilter()
-        grab.SetInput(self.window)
-        grab.ReadFrontBufferOff()
-        grab.ShouldRerenderOff()
-        grab.Update()
-        return vtk_to_numpy(grab.GetOutput().GetPointData().GetScalars()).astype(int)
+        return grab(self.window).reshape(-1, 3)
 
 
 class TestSwitch(unittest.TestCase):

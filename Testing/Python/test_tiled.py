@@ -4,7 +4,8 @@
 import sys
 import unittest
 
-from ball_on_floor import TECHNIQUES, Stage, differing, rtwshadows, vtk_to_numpy
+from ball_on_floor import TECHNIQUES, Stage, differing, rtwshadows
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 
 

@@ -20,11 +20,15 @@
 #include "vtkOrderIndependentTranslucentPass.h"
 #include "vtkProperty.h"
 #include "vtkRenderState.h"
+#include "vtkRenderWindow.h"
 #include "vtkSSAOPass.h"
 #include "vtkTimeStamp.h"
 #include "vtkTranslucentPass.h"
+#include "vtkWeakPointer.h"
 
 #include <algorithm>
+#include <iterator>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -32,6 +36,24 @@ namespace rtw
 {
 namespace
 {
+// The pass of that kind that there is for a window while somebody holds it, or a new one.
+template <class Pass, class Make>
+vtkSmartPointer<Pass> OfWindow(vtkRenderWindow* window, Make make)
+{
+  static std::map<vtkRenderWindow*, vtkWeakPointer<Pass>> known;
+  vtkSmartPointer<Pass> pass = known[window].Get();
+  if (!pass)
+  {
+    for (auto at = known.begin(); at != known.end();)
+    {
+      at = at->second ? std::next(at) : known.erase(at);
+    }
+    pass = make();
+    known[window] = pass;
+  }
+  return pass;
+}
+
 // A part of an assembly that has levels of detail chooses one when it is drawn, and can't be asked before.
 bool MayBeTranslucent(vtkProp* prop)
 {
@@ -128,11 +150,7 @@ private:
 };
 vtkStandardNewMacro(FXAAStep);
 
-RendererFlags::RendererFlags()
-{
-  vtkNew<vtkTranslucentPass> blended;
-  this->Blending->SetTranslucentPass(blended);
-}
+RendererFlags::RendererFlags() = default;
 
 RendererFlags::~RendererFlags() = default;
 
@@ -184,21 +202,29 @@ vtkRenderPass* RendererFlags::DrawTranslucent(
   {
     return this->Peel(s, volumetric);
   }
-  return !this->Inside && BlendsInAnyOrder(s->GetRenderer()) ? this->Blending.Get() : translucent;
+  return !this->Inside && BlendsInAnyOrder(s->GetRenderer()) ? this->Blend(s) : translucent;
+}
+
+vtkRenderPass* RendererFlags::Blend(const vtkRenderState* s)
+{
+  this->Blending = OfWindow<vtkOrderIndependentTranslucentPass>(
+    s->GetRenderer()->GetRenderWindow(), [] { return vtkSmartPointer<vtkOrderIndependentTranslucentPass>::New(); });
+  vtkNew<vtkTranslucentPass> blended;
+  this->Blending->SetTranslucentPass(blended);
+  return this->Blending;
 }
 
 vtkRenderPass* RendererFlags::Peel(const vtkRenderState* s, vtkRenderPass* volumetric)
 {
   vtkRenderer* renderer = s->GetRenderer();
-  if (!this->Peeling)
-  {
+  this->Peeling = OfWindow<vtkDepthPeelingPass>(renderer->GetRenderWindow(), [renderer] {
     auto* drawn = vtkOpenGLRenderer::SafeDownCast(renderer);
     const bool dual = !drawn || drawn->IsDualDepthPeelingSupported();
-    this->Peeling = dual ? vtkSmartPointer<vtkDepthPeelingPass>(vtkNew<vtkDualDepthPeelingPass>())
-                         : vtkSmartPointer<vtkDepthPeelingPass>::New();
-    vtkNew<vtkTranslucentPass> peeled;
-    this->Peeling->SetTranslucentPass(peeled);
-  }
+    return dual ? vtkSmartPointer<vtkDepthPeelingPass>(vtkNew<vtkDualDepthPeelingPass>())
+                : vtkSmartPointer<vtkDepthPeelingPass>::New();
+  });
+  vtkNew<vtkTranslucentPass> peeled;
+  this->Peeling->SetTranslucentPass(peeled);
   this->Peeling->SetMaximumNumberOfPeels(renderer->GetMaximumNumberOfPeels());
   this->Peeling->SetOcclusionRatio(renderer->GetOcclusionRatio());
   if (auto* dual = vtkDualDepthPeelingPass::SafeDownCast(this->Peeling))
@@ -217,7 +243,11 @@ vtkRenderPass* RendererFlags::AfterTranslucent(const vtkRenderState* s)
 void RendererFlags::ReleaseGraphicsResources(vtkWindow* w)
 {
   this->Occlusion->ReleaseGraphicsResources(w);
-  this->Blending->ReleaseGraphicsResources(w);
+  if (this->Blending)
+  {
+    this->Blending->ReleaseGraphicsResources(w);
+    this->Blending = nullptr;
+  }
   this->Smoothing->ReleaseGraphicsResources(w);
   if (this->Peeling)
   {

@@ -46,6 +46,7 @@ public:
   void ReleaseGraphicsResources(vtkWindow* w);
 
 private:
+  vtkRenderPass* Blend(const vtkRenderState* s);
   vtkRenderPass* Peel(const vtkRenderState* s, vtkRenderPass* volumetric);
 
   bool HidesLines = false;
@@ -54,8 +55,10 @@ private:
   bool PeeledVolumes = false;
   vtkNew<HiddenLinesStep> HiddenLines;
   vtkNew<vtkSSAOPass> Occlusion;
-  vtkNew<vtkOrderIndependentTranslucentPass> Blending;
-  vtkSmartPointer<vtkDepthPeelingPass> Peeling; ///< which of two: known with the first window
+  // Those that put code into mappers' shaders are their window's: else viewports that share translucent actors
+  // would have these built by turns.
+  vtkSmartPointer<vtkOrderIndependentTranslucentPass> Blending;
+  vtkSmartPointer<vtkDepthPeelingPass> Peeling; // one of two kinds
   vtkNew<FXAAStep> Smoothing;
 };
 }
