@@ -36,7 +36,7 @@ namespace rtw
 {
 namespace
 {
-// The pass of that kind that there is for a window while somebody holds it, or a new one.
+// The pass of that kind that there is for a window while somebody holds it, or a new one around VTK's plain one.
 template <class Pass, class Make>
 vtkSmartPointer<Pass> OfWindow(vtkRenderWindow* window, Make make)
 {
@@ -49,9 +49,22 @@ vtkSmartPointer<Pass> OfWindow(vtkRenderWindow* window, Make make)
       at = at->second ? std::next(at) : known.erase(at);
     }
     pass = make();
+    vtkNew<vtkTranslucentPass> translucent;
+    pass->SetTranslucentPass(translucent);
     known[window] = pass;
   }
   return pass;
+}
+
+// Whoever has it last releases what it has on the GPU: a released pass draws no more as it did.
+template <class Pass>
+void GiveUp(vtkSmartPointer<Pass>& pass, vtkWindow* window)
+{
+  if (pass && pass->GetReferenceCount() == 1)
+  {
+    pass->ReleaseGraphicsResources(window);
+  }
+  pass = nullptr;
 }
 
 // A part of an assembly that has levels of detail chooses one when it is drawn, and can't be asked before.
@@ -209,8 +222,6 @@ vtkRenderPass* RendererFlags::Blend(const vtkRenderState* s)
 {
   this->Blending = OfWindow<vtkOrderIndependentTranslucentPass>(
     s->GetRenderer()->GetRenderWindow(), [] { return vtkSmartPointer<vtkOrderIndependentTranslucentPass>::New(); });
-  vtkNew<vtkTranslucentPass> blended;
-  this->Blending->SetTranslucentPass(blended);
   return this->Blending;
 }
 
@@ -223,8 +234,6 @@ vtkRenderPass* RendererFlags::Peel(const vtkRenderState* s, vtkRenderPass* volum
     return dual ? vtkSmartPointer<vtkDepthPeelingPass>(vtkNew<vtkDualDepthPeelingPass>())
                 : vtkSmartPointer<vtkDepthPeelingPass>::New();
   });
-  vtkNew<vtkTranslucentPass> peeled;
-  this->Peeling->SetTranslucentPass(peeled);
   this->Peeling->SetMaximumNumberOfPeels(renderer->GetMaximumNumberOfPeels());
   this->Peeling->SetOcclusionRatio(renderer->GetOcclusionRatio());
   if (auto* dual = vtkDualDepthPeelingPass::SafeDownCast(this->Peeling))
@@ -243,16 +252,8 @@ vtkRenderPass* RendererFlags::AfterTranslucent(const vtkRenderState* s)
 void RendererFlags::ReleaseGraphicsResources(vtkWindow* w)
 {
   this->Occlusion->ReleaseGraphicsResources(w);
-  if (this->Blending)
-  {
-    this->Blending->ReleaseGraphicsResources(w);
-    this->Blending = nullptr;
-  }
   this->Smoothing->ReleaseGraphicsResources(w);
-  if (this->Peeling)
-  {
-    this->Peeling->ReleaseGraphicsResources(w);
-    this->Peeling = nullptr;
-  }
+  GiveUp(this->Blending, w);
+  GiveUp(this->Peeling, w);
 }
 }
