@@ -158,8 +158,6 @@ class TestTargets(unittest.TestCase):
                 one.AddObserver("DeleteEvent", lambda *_: gone.append(1))
             del one, renderer, shadows, window
             gc.collect()
-            make_renderer()  # VTK forgets the attributes of what is gone when it adds others
-            gc.collect()
             self.assertEqual(len(gone), 2)
 
     def test_refused(self):

@@ -24,11 +24,11 @@
 #include "vtkSSAOPass.h"
 #include "vtkTimeStamp.h"
 #include "vtkTranslucentPass.h"
-#include "vtkWeakPointer.h"
 
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -36,19 +36,20 @@ namespace rtw
 {
 namespace
 {
-// The pass of that kind that there is for a window while somebody holds it, or a new one around VTK's plain one.
+// The pass of that kind that there is for a window while some flags hold it, or a new one around VTK's plain one.
+// Those are counted apart from VTK's references: mappers keep one of each pass that they were last drawn in.
 template <class Pass, class Make>
-vtkSmartPointer<Pass> OfWindow(vtkRenderWindow* window, Make make)
+std::shared_ptr<Pass> OfWindow(vtkRenderWindow* window, Make make)
 {
-  static std::map<vtkRenderWindow*, vtkWeakPointer<Pass>> known;
-  vtkSmartPointer<Pass> pass = known[window].Get();
+  static std::map<vtkRenderWindow*, std::weak_ptr<Pass>> known;
+  std::shared_ptr<Pass> pass = known[window].lock();
   if (!pass)
   {
     for (auto at = known.begin(); at != known.end();)
     {
-      at = at->second ? std::next(at) : known.erase(at);
+      at = at->second.expired() ? known.erase(at) : std::next(at);
     }
-    pass = make();
+    pass = std::shared_ptr<Pass>(make(), [](Pass* made) { made->Delete(); });
     vtkNew<vtkTranslucentPass> translucent;
     pass->SetTranslucentPass(translucent);
     known[window] = pass;
@@ -58,13 +59,13 @@ vtkSmartPointer<Pass> OfWindow(vtkRenderWindow* window, Make make)
 
 // Whoever has it last releases what it has on the GPU: a released pass draws no more as it did.
 template <class Pass>
-void GiveUp(vtkSmartPointer<Pass>& pass, vtkWindow* window)
+void GiveUp(std::shared_ptr<Pass>& pass, vtkWindow* window)
 {
-  if (pass && pass->GetReferenceCount() == 1)
+  if (pass.use_count() == 1)
   {
     pass->ReleaseGraphicsResources(window);
   }
-  pass = nullptr;
+  pass.reset();
 }
 
 // A part of an assembly that has levels of detail chooses one when it is drawn, and can't be asked before.
@@ -221,8 +222,8 @@ vtkRenderPass* RendererFlags::DrawTranslucent(
 vtkRenderPass* RendererFlags::Blend(const vtkRenderState* s)
 {
   this->Blending = OfWindow<vtkOrderIndependentTranslucentPass>(
-    s->GetRenderer()->GetRenderWindow(), [] { return vtkSmartPointer<vtkOrderIndependentTranslucentPass>::New(); });
-  return this->Blending;
+    s->GetRenderer()->GetRenderWindow(), [] { return vtkOrderIndependentTranslucentPass::New(); });
+  return this->Blending.get();
 }
 
 vtkRenderPass* RendererFlags::Peel(const vtkRenderState* s, vtkRenderPass* volumetric)
@@ -231,17 +232,16 @@ vtkRenderPass* RendererFlags::Peel(const vtkRenderState* s, vtkRenderPass* volum
   this->Peeling = OfWindow<vtkDepthPeelingPass>(renderer->GetRenderWindow(), [renderer] {
     auto* drawn = vtkOpenGLRenderer::SafeDownCast(renderer);
     const bool dual = !drawn || drawn->IsDualDepthPeelingSupported();
-    return dual ? vtkSmartPointer<vtkDepthPeelingPass>(vtkNew<vtkDualDepthPeelingPass>())
-                : vtkSmartPointer<vtkDepthPeelingPass>::New();
+    return dual ? vtkDualDepthPeelingPass::New() : vtkDepthPeelingPass::New();
   });
   this->Peeling->SetMaximumNumberOfPeels(renderer->GetMaximumNumberOfPeels());
   this->Peeling->SetOcclusionRatio(renderer->GetOcclusionRatio());
-  if (auto* dual = vtkDualDepthPeelingPass::SafeDownCast(this->Peeling))
+  if (auto* dual = vtkDualDepthPeelingPass::SafeDownCast(this->Peeling.get()))
   {
     this->PeeledVolumes = renderer->GetUseDepthPeelingForVolumes() && volumetric;
     dual->SetVolumetricPass(this->PeeledVolumes ? volumetric : nullptr);
   }
-  return this->Peeling;
+  return this->Peeling.get();
 }
 
 vtkRenderPass* RendererFlags::AfterTranslucent(const vtkRenderState* s)

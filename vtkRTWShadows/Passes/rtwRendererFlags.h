@@ -5,7 +5,8 @@
 #define rtwRendererFlags_h
 
 #include "vtkNew.h"
-#include "vtkSmartPointer.h"
+
+#include <memory>
 
 class vtkDepthPeelingPass;
 class vtkOrderIndependentTranslucentPass;
@@ -57,8 +58,8 @@ private:
   vtkNew<vtkSSAOPass> Occlusion;
   // Those that put code into mappers' shaders are their window's: else viewports that share translucent actors
   // would have these built by turns.
-  vtkSmartPointer<vtkOrderIndependentTranslucentPass> Blending;
-  vtkSmartPointer<vtkDepthPeelingPass> Peeling; // one of two kinds
+  std::shared_ptr<vtkOrderIndependentTranslucentPass> Blending;
+  std::shared_ptr<vtkDepthPeelingPass> Peeling; // one of two kinds
   vtkNew<FXAAStep> Smoothing;
 };
 }

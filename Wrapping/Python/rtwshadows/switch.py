@@ -10,8 +10,8 @@ from .properties import set_properties
 from .targets import find_renderers
 from .techniques import make_pass
 
-# What is remembered of a renderer. VTK keeps a Python attribute as long as its object lives, so
-# there is nothing to clean up here.
+# What is remembered of a renderer. VTK keeps a Python attribute as long as its object lives, and for
+# some time after that, so it is emptied when the renderer goes.
 _STATE = "_rtwshadows_state"
 
 
@@ -24,6 +24,10 @@ class _State:
         self.managed = False  # whether others put the chain together anew
         self.unfitted = False  # whether the light waits for a scene and a view to be fitted to
         self.observer = None
+        self.end = None  # the observer of the renderer's end
+
+    def clear(self):
+        self.graft = self.light = None
 
 
 def _state_of(renderer):
@@ -81,6 +85,7 @@ def _enable(renderer, managed, shadows, light):
     if state is None:
         state = _State()
         _remember(renderer, state)
+        state.end = renderer.AddObserver("DeleteEvent", lambda *_: state.clear())
     else:
         _take_out(renderer, state)
     steps = _module.vtkShadowRenderStepsPass()
@@ -131,11 +136,12 @@ def enable_shadows(
             light, as the position of a vtkLight does whose focal point is the origin.
         a vtkLight: that one, as it is.
         Before a window's first frame, and where there is no scene yet, "sun", "lamp" and a
-        direction are fitted once more when the next frame begins; enable shadows again to fit them to another scene. Lights that follow the camera,
-        such as VTK's headlight, would wash shadows out: beside an added light their intensities
-        are lowered to 0.3 in sum, until it is taken away. Where there is no other light at all, a
-        headlight of 0.3 is added with it. Lights of the scene stay as they are. What is made by
-        name or direction is white and has the intensity 0.7.
+        direction are fitted once more when the next frame begins; enable shadows again to fit them
+        to another scene. Lights that follow the camera, such as VTK's headlight, would wash shadows
+        out: beside an added light their intensities are lowered to 0.3 in sum, until it is taken
+        away. Where there is no other light at all, a headlight of 0.3 is added with it. Lights of
+        the scene stay as they are. What is made by name or direction is white and has the intensity
+        0.7.
     properties: what else is to be set on the pass, in either spelling, enumerators as words:
         focus_on_view=True, FocusOnView=True, filter="bilinear".
 
@@ -182,6 +188,7 @@ def disable_shadows(renderer_or_plotter):
         if state is None:
             continue
         _remember(renderer, None)
+        renderer.RemoveObserver(state.end)
         if state.observer is not None:
             renderer.RemoveObserver(state.observer)
         if state.light is not None:
