@@ -2,7 +2,7 @@
 #include "Faults.h"
 
 #include "rtwAdaptiveTechnique.h"
-#include "rtwWarpStage.h"
+#include "Warp/rtwWarpStage.h"
 
 #include <vtkObjectFactory.h>
 #include <vtkRectilinearShadowMapWarp.h>
@@ -44,13 +44,13 @@ public:
   bool Build() override { return this->Whole->Build(); }
   std::string GetLog() const override { return this->Whole->GetLog(); }
   int GetLightImageSize() const override { return this->Whole->GetLightImageSize(); }
-  void Follow(const rtw::WarpFrame& frame, const rtw::WarpTable& table) override
+  void Follow(const rtw::WarpFrame& frame, const rtw::LayerTable& table) override
   {
     this->Whole->Follow(frame, table);
   }
   bool IsSettled() const override { return this->Whole->IsSettled(); }
   void Run(const std::vector<rtw::LightFrame>& frames, const rtw::AnalysisInput& input,
-    const rtw::WarpTable& table) override
+    const rtw::LayerTable& table) override
   {
     this->Whole->Run(frames, input, table);
   }

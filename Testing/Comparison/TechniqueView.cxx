@@ -2,7 +2,7 @@
 #include "rtwTechniqueView.h"
 
 #include "rtwGpuClock.h"
-#include "rtwOpenGL.h"
+#include "GL/rtwOpenGL.h"
 
 #include <vtkRenderer.h>
 #include <vtkRenderWindow.h>

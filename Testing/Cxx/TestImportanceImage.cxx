@@ -3,7 +3,7 @@
 // becomes of it, against the warping maps.
 #include "rtwImportanceScene.h"
 
-#include "rtwRectilinearWarp.h"
+#include "Warp/Rectilinear/rtwRectilinearWarp.h"
 
 #include "vtkCamera.h"
 #include "vtkImageData.h"

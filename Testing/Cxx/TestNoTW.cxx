@@ -3,7 +3,7 @@
 // only VTK's mappers draw, floors of two triangles, the ways of rasterizing, and its settings.
 #include "rtwDeepStage.h"
 #include "rtwEachTechnique.h"
-#include "rtwNonOrthogonalWarp.h"
+#include "Warp/NonOrthogonal/rtwNonOrthogonalWarp.h"
 
 #include "vtkImageData.h"
 #include "vtkNonOrthogonalShadowMapWarp.h"

@@ -6,7 +6,7 @@
 #include "rtwEachTechnique.h"
 
 #include "rtwMapTexels.h"
-#include "rtwPerspectiveWarp.h"
+#include "Warp/Perspective/rtwPerspectiveWarp.h"
 
 #include "vtkCamera.h"
 #include "vtkImageData.h"

@@ -3,7 +3,7 @@
 // what is seen starves of nothing.
 #include "rtwImportanceScene.h"
 
-#include "rtwRectilinearWarp.h"
+#include "Warp/Rectilinear/rtwRectilinearWarp.h"
 
 #include "vtkCamera.h"
 #include "vtkMatrix4x4.h"

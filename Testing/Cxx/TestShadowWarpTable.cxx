@@ -3,7 +3,7 @@
 // double-precision twin.
 #include "rtwShadowStage.h"
 
-#include "rtwRectilinearWarp.h"
+#include "Warp/Rectilinear/rtwRectilinearWarp.h"
 
 #include "vtkImageData.h"
 #include "vtkMatrix4x4.h"

@@ -3,7 +3,7 @@
 #ifndef rtwEdgeTwin_h
 #define rtwEdgeTwin_h
 
-#include "rtwTurnChoice.h"
+#include "Light/rtwTurnChoice.h"
 
 #include <vector>
 

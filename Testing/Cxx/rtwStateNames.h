@@ -3,7 +3,7 @@
 #ifndef rtwStateNames_h
 #define rtwStateNames_h
 
-#include "rtwOpenGL.h"
+#include "GL/rtwOpenGL.h"
 
 struct rtwTarget
 {

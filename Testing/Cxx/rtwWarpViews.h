@@ -5,7 +5,7 @@
 
 #include "rtwShadowStage.h"
 
-#include "rtwRectilinearWarp.h"
+#include "Warp/Rectilinear/rtwRectilinearWarp.h"
 
 #include "vtkCamera.h"
 #include "vtkMatrix4x4.h"

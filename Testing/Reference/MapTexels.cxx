@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rtwMapTexels.h"
 
-#include "rtwNonOrthogonalWarp.h"
+#include "Warp/NonOrthogonal/rtwNonOrthogonalWarp.h"
 
 #include <vtkAdaptiveShadowMapPass.h>
 #include <vtkImageData.h>

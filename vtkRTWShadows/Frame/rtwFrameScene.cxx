@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rtwFrameScene.h"
+#include "Frame/rtwFrameScene.h"
 
-#include "rtwSceneActor.h"
-#include "rtwSceneLeaves.h"
-#include "rtwSceneSignature.h"
-#include "rtwView.h"
+#include "Frame/rtwSceneActor.h"
+#include "Frame/rtwSceneLeaves.h"
+#include "Frame/rtwSceneSignature.h"
+#include "Frame/rtwView.h"
 
 #include "vtkActor.h"
 #include "vtkCollection.h"

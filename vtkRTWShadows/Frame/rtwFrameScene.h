@@ -3,7 +3,7 @@
 #ifndef rtwFrameScene_h
 #define rtwFrameScene_h
 
-#include "rtwThickLook.h"
+#include "Frame/rtwThickLook.h"
 
 #include <glm/glm.hpp>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rtwFramedView.h"
+#include "Frame/rtwFramedView.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 

@@ -6,7 +6,7 @@
 #ifndef rtwFramedView_h
 #define rtwFramedView_h
 
-#include "rtwView.h"
+#include "Frame/rtwView.h"
 
 namespace rtw
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rtwGeometryStore.h"
+#include "Frame/rtwGeometryStore.h"
 
-#include "rtwSceneActor.h"
+#include "Frame/rtwSceneActor.h"
 
 #include "vtkPolyData.h"
 

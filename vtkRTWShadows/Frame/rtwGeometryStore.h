@@ -3,12 +3,12 @@
 #ifndef rtwGeometryStore_h
 #define rtwGeometryStore_h
 
-#include "rtwBuffer.h"
-#include "rtwDrawing.h"
-#include "rtwMeshData.h"
-#include "rtwRangeAllocator.h"
-#include "rtwFrameScene.h"
-#include "rtwThickPrimitives.h"
+#include "Frame/rtwFrameScene.h"
+#include "Frame/rtwMeshData.h"
+#include "Frame/rtwRangeAllocator.h"
+#include "Frame/rtwThickPrimitives.h"
+#include "GL/rtwBuffer.h"
+#include "GL/rtwDrawing.h"
 
 #include <array>
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rtwLastFrame.h"
+#include "Frame/rtwLastFrame.h"
 
 namespace rtw
 {

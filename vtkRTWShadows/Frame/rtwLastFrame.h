@@ -3,8 +3,8 @@
 #ifndef rtwLastFrame_h
 #define rtwLastFrame_h
 
-#include "rtwTexture.h"
-#include "rtwView.h"
+#include "Frame/rtwView.h"
+#include "GL/rtwTexture.h"
 
 #include <cstdint>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rtwMeshData.h"
+#include "Frame/rtwMeshData.h"
 
-#include "rtwMeshPoints.h"
-#include "rtwMorton.h"
+#include "Frame/rtwMeshPoints.h"
+#include "Frame/rtwMorton.h"
 
 #include "vtkPoints.h"
 #include "vtkPolyData.h"

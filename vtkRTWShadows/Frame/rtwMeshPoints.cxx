@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rtwMeshPoints.h"
+#include "Frame/rtwMeshPoints.h"
 
 #include "vtkPoints.h"
 #include "vtkPolyData.h"

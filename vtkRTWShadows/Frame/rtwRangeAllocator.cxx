@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rtwRangeAllocator.h"
+#include "Frame/rtwRangeAllocator.h"
 
 #include <iterator>
 

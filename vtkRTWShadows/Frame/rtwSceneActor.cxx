@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rtwSceneActor.h"
+#include "Frame/rtwSceneActor.h"
 
-#include "rtwSceneSignature.h"
-#include "rtwVTKCompatibility.h"
+#include "Frame/rtwSceneSignature.h"
+#include "GL/rtwVTKCompatibility.h"
 
 #include "vtkActor.h"
 #include "vtkCellArray.h"

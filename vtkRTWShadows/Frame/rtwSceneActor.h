@@ -3,7 +3,7 @@
 #ifndef rtwSceneActor_h
 #define rtwSceneActor_h
 
-#include "rtwThickLook.h"
+#include "Frame/rtwThickLook.h"
 
 #include "vtkType.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rtwSceneLeaves.h"
+#include "Frame/rtwSceneLeaves.h"
 
-#include "rtwSceneActor.h"
-#include "rtwVTKCompatibility.h"
-#include "rtwView.h"
+#include "Frame/rtwSceneActor.h"
+#include "Frame/rtwView.h"
+#include "GL/rtwVTKCompatibility.h"
 
 #include "vtkActor.h"
 #include "vtkAssemblyNode.h"

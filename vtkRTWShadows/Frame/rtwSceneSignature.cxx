@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rtwSceneSignature.h"
+#include "Frame/rtwSceneSignature.h"
 
-#include "rtwFrameScene.h"
-#include "rtwSceneActor.h"
-#include "rtwVTKCompatibility.h"
-#include "rtwView.h"
+#include "Frame/rtwFrameScene.h"
+#include "Frame/rtwSceneActor.h"
+#include "Frame/rtwView.h"
+#include "GL/rtwVTKCompatibility.h"
 
 #include "vtkActor.h"
 #include "vtkAssemblyNode.h"

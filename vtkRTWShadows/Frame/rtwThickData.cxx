@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rtwThickData.h"
+#include "Frame/rtwThickData.h"
 
-#include "rtwMeshPoints.h"
-#include "rtwMorton.h"
+#include "Frame/rtwMeshPoints.h"
+#include "Frame/rtwMorton.h"
 
 #include "vtkPolyData.h"
 

@@ -3,7 +3,7 @@
 #ifndef rtwThickData_h
 #define rtwThickData_h
 
-#include "rtwThickLook.h"
+#include "Frame/rtwThickLook.h"
 
 #include <glm/glm.hpp>
 

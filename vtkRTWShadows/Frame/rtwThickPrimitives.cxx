@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rtwThickPrimitives.h"
+#include "Frame/rtwThickPrimitives.h"
 
-#include "rtwDrawing.h"
-#include "rtwFaceThick.h"
-#include "rtwMeshData.h"
-#include "rtwOpenGL.h"
-#include "rtwSceneActor.h"
-#include "rtwView.h"
+#include "Frame/rtwFaceThick.h"
+#include "Frame/rtwMeshData.h"
+#include "Frame/rtwSceneActor.h"
+#include "Frame/rtwView.h"
+#include "GL/rtwDrawing.h"
+#include "GL/rtwOpenGL.h"
 
 #include <algorithm>
 #include <cmath>

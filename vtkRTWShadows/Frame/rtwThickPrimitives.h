@@ -4,10 +4,10 @@
 #ifndef rtwThickPrimitives_h
 #define rtwThickPrimitives_h
 
-#include "rtwBuffer.h"
-#include "rtwFrameScene.h"
-#include "rtwProgram.h"
-#include "rtwThickData.h"
+#include "Frame/rtwFrameScene.h"
+#include "Frame/rtwThickData.h"
+#include "GL/rtwBuffer.h"
+#include "GL/rtwProgram.h"
 
 #include <glm/glm.hpp>
 

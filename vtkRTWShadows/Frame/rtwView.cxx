@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rtwView.h"
+#include "Frame/rtwView.h"
 
-#include "rtwFramedView.h"
-#include "rtwOpenGL.h"
+#include "Frame/rtwFramedView.h"
+#include "GL/rtwOpenGL.h"
 
 #include "vtkCamera.h"
 #include "vtkMatrix4x4.h"

@@ -3,13 +3,13 @@
 #ifndef rtwViewSampler_h
 #define rtwViewSampler_h
 
-#include "rtwBuffer.h"
-#include "rtwDrawing.h"
-#include "rtwFramebuffer.h"
-#include "rtwLastFrame.h"
-#include "rtwProgram.h"
-#include "rtwTexture.h"
-#include "rtwView.h"
+#include "Frame/rtwLastFrame.h"
+#include "Frame/rtwView.h"
+#include "GL/rtwBuffer.h"
+#include "GL/rtwDrawing.h"
+#include "GL/rtwFramebuffer.h"
+#include "GL/rtwProgram.h"
+#include "GL/rtwTexture.h"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
-#include "rtwBuffer.h"
+#include "GL/rtwBuffer.h"
 
-#include "rtwOpenGL.h"
-#include "rtwStateRecord.h"
+#include "GL/rtwOpenGL.h"
+#include "GL/rtwStateRecord.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
-#include "rtwCapabilities.h"
+#include "GL/rtwCapabilities.h"
 
-#include "rtwOpenGL.h"
+#include "GL/rtwOpenGL.h"
 
 #include <algorithm>
 #include <string>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rtwConditional.h"
+#include "GL/rtwConditional.h"
 
-#include "rtwOpenGL.h"
+#include "GL/rtwOpenGL.h"
 
 namespace rtw
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rtwEGLContext.h"
+#include "GL/rtwEGLContext.h"
 
-#include "rtwGLXContext.h"
+#include "GL/rtwGLXContext.h"
 
 rtwEGLContext::rtwEGLContext() = default;
 

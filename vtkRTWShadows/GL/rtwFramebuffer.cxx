@@ -1,7 +1,7 @@
-#include "rtwFramebuffer.h"
+#include "GL/rtwFramebuffer.h"
 
-#include "rtwOpenGL.h"
-#include "rtwTexture.h"
+#include "GL/rtwOpenGL.h"
+#include "GL/rtwTexture.h"
 
 namespace rtw
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rtwGLXContext.h"
+#include "GL/rtwGLXContext.h"
 
 #if RTW_HAVE_EGL && !defined(_WIN32)
 

@@ -1,6 +1,6 @@
-#include "rtwProgram.h"
+#include "GL/rtwProgram.h"
 
-#include "rtwOpenGL.h"
+#include "GL/rtwOpenGL.h"
 
 #include <vector>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rtwReadback.h"
+#include "GL/rtwReadback.h"
 
-#include "rtwBuffer.h"
-#include "rtwOpenGL.h"
-#include "rtwStateRecord.h"
+#include "GL/rtwBuffer.h"
+#include "GL/rtwOpenGL.h"
+#include "GL/rtwStateRecord.h"
 
 #include <cstring>
 

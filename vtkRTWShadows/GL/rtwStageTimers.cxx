@@ -1,6 +1,6 @@
-#include "rtwStageTimers.h"
+#include "GL/rtwStageTimers.h"
 
-#include "rtwOpenGL.h"
+#include "GL/rtwOpenGL.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
-#include "rtwStateGuard.h"
+#include "GL/rtwStateGuard.h"
 
-#include "rtwOpenGL.h"
+#include "GL/rtwOpenGL.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"

@@ -4,7 +4,7 @@
 #ifndef rtwStateGuard_h
 #define rtwStateGuard_h
 
-#include "rtwStateRecord.h"
+#include "GL/rtwStateRecord.h"
 
 #include <functional>
 

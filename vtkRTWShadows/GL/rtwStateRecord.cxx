@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rtwStateRecord.h"
+#include "GL/rtwStateRecord.h"
 
-#include "rtwOpenGL.h"
+#include "GL/rtwOpenGL.h"
 
 #include <algorithm>
 #include <cassert>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rtwTexelBuffer.h"
+#include "GL/rtwTexelBuffer.h"
 
-#include "rtwOpenGL.h"
-#include "rtwStateRecord.h"
+#include "GL/rtwOpenGL.h"
+#include "GL/rtwStateRecord.h"
 
 namespace rtw
 {

@@ -4,7 +4,7 @@
 #ifndef rtwTexelBuffer_h
 #define rtwTexelBuffer_h
 
-#include "rtwBuffer.h"
+#include "GL/rtwBuffer.h"
 
 #include <cstddef>
 

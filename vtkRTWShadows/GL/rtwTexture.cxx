@@ -1,7 +1,7 @@
-#include "rtwTexture.h"
+#include "GL/rtwTexture.h"
 
-#include "rtwOpenGL.h"
-#include "rtwStateRecord.h"
+#include "GL/rtwOpenGL.h"
+#include "GL/rtwStateRecord.h"
 
 #include <algorithm>
 #include <vector>

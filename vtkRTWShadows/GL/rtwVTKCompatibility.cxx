@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rtwVTKCompatibility.h"
+#include "GL/rtwVTKCompatibility.h"
 
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkMapper.h"

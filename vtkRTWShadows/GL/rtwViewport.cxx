@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rtwViewport.h"
+#include "GL/rtwViewport.h"
 
-#include "rtwOpenGL.h"
+#include "GL/rtwOpenGL.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"

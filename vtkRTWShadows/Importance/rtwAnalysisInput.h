@@ -3,8 +3,8 @@
 #ifndef rtwAnalysisInput_h
 #define rtwAnalysisInput_h
 
-#include "rtwLightFrame.h"
-#include "rtwView.h"
+#include "Frame/rtwView.h"
+#include "Light/rtwLightFrame.h"
 
 #include <vector>
 

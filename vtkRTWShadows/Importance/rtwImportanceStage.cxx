@@ -1,33 +1,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rtwImportanceStage.h"
+#include "Importance/rtwImportanceStage.h"
 
-#include "rtwAnalysisInput.h"
-#include "rtwBackwardSample.h"
-#include "rtwCollectImage.h"
-#include "rtwCollectView.h"
-#include "rtwDenseLayers.h"
-#include "rtwDrawing.h"
-#include "rtwEdgesNone.h"
-#include "rtwEdgesOfImage.h"
-#include "rtwEdgesOfMask.h"
-#include "rtwForwardSample.h"
-#include "rtwImportance.h"
-#include "rtwLayerBlocks.h"
-#include "rtwLayerInterval.h"
-#include "rtwLightImage.h"
-#include "rtwLightUniforms.h"
-#include "rtwLitSample.h"
-#include "rtwOpenGL.h"
-#include "rtwSampleBlocks.h"
-#include "rtwSampleOfLayer.h"
-#include "rtwSamplePlace.h"
-#include "rtwTexture.h"
-#include "rtwUserFunction.h"
-#include "rtwViewSampleAccess.h"
-#include "rtwViewSampler.h"
-#include "rtwVisitSamples.h"
-#include "rtwWarpFocus.h"
-#include "rtwWarpTable.h"
+#include "Frame/rtwSamplePlace.h"
+#include "Frame/rtwViewSampleAccess.h"
+#include "Frame/rtwViewSampler.h"
+#include "GL/rtwDrawing.h"
+#include "GL/rtwOpenGL.h"
+#include "GL/rtwTexture.h"
+#include "Importance/rtwAnalysisInput.h"
+#include "Importance/rtwCollectImage.h"
+#include "Importance/rtwCollectView.h"
+#include "Importance/rtwEdgesNone.h"
+#include "Importance/rtwEdgesOfImage.h"
+#include "Importance/rtwEdgesOfMask.h"
+#include "Importance/rtwForwardSample.h"
+#include "Importance/rtwImportance.h"
+#include "Importance/rtwLightImage.h"
+#include "Importance/rtwUserFunction.h"
+#include "Layers/rtwDenseLayers.h"
+#include "Layers/rtwLayerBlocks.h"
+#include "Layers/rtwLayerInterval.h"
+#include "Layers/rtwLayerTable.h"
+#include "Layers/rtwSampleBlocks.h"
+#include "Layers/rtwSampleOfLayer.h"
+#include "Layers/rtwVisitSamples.h"
+#include "Layers/rtwWarpFocus.h"
+#include "Light/rtwBackwardSample.h"
+#include "Light/rtwLightUniforms.h"
+#include "Light/rtwLitSample.h"
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -222,7 +222,7 @@ void ImportanceStage::SetLayer(const LightFrame& frame, int layer,
 }
 
 void ImportanceStage::Analyse(const std::vector<LightFrame>& frames,
-  const ImportanceSettings& settings, const AnalysisInput& input, const WarpTable& table)
+  const ImportanceSettings& settings, const AnalysisInput& input, const LayerTable& table)
 {
   this->Choose(settings);
   this->Holds = this->InForce.Functions & SqrtDemand ? Collected::SumUnderRoot

@@ -4,9 +4,9 @@
 #ifndef rtwImportanceStage_h
 #define rtwImportanceStage_h
 
-#include "rtwBuffer.h"
-#include "rtwLightFrame.h"
-#include "rtwProgram.h"
+#include "GL/rtwBuffer.h"
+#include "GL/rtwProgram.h"
+#include "Light/rtwLightFrame.h"
 
 #include <functional>
 #include <memory>
@@ -15,7 +15,7 @@
 
 namespace rtw
 {
-class WarpTable;
+class LayerTable;
 struct AnalysisInput;
 
 /// Bits of importance functions; any set of them is a product.
@@ -77,7 +77,7 @@ public:
   /// One frame a layer; a profile holds two integers a cell. Of each layer and axis there are as
   /// many as GetProfiles() says.
   void Analyse(const std::vector<LightFrame>& frames, const ImportanceSettings& settings,
-    const AnalysisInput& input, const WarpTable& table);
+    const AnalysisInput& input, const LayerTable& table);
   const Buffer& GetProfile() const { return this->Profile; }
   int GetProfiles() const { return this->InForce.Profiles; } ///< 2: plain, and at shadow edges
   Collected GetCollected() const { return this->Holds; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rtwLightCollector.h"
+#include "Light/rtwLightCollector.h"
 
 #include "vtkLight.h"
 #include "vtkLightCollection.h"

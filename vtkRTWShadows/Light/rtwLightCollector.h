@@ -3,7 +3,7 @@
 #ifndef rtwLightCollector_h
 #define rtwLightCollector_h
 
-#include "rtwLightFrame.h"
+#include "Light/rtwLightFrame.h"
 
 #include "vtkLight.h"
 #include "vtkWeakPointer.h"

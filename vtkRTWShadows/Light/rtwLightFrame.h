@@ -8,6 +8,8 @@
 #ifndef rtwLightFrame_h
 #define rtwLightFrame_h
 
+#include "Light/rtwRectangle.h"
+
 #include <glm/glm.hpp>
 
 #include <functional>
@@ -33,12 +35,6 @@ struct ShadowLight
   /// Where light comes from: the place of a spot, or, w being 0, the way there.
   glm::dvec4 GetOrigin() const;
   bool operator==(const ShadowLight& other) const;
-};
-
-struct Rectangle
-{
-  glm::dvec2 Low{ 0 };
-  glm::dvec2 High{ 1 };
 };
 
 struct LightFrame

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rtwLightTurning.h"
+#include "Light/rtwLightTurning.h"
 
-#include "rtwTurnChoice.h"
+#include "Light/rtwTurnChoice.h"
 
 namespace rtw
 {

@@ -3,9 +3,9 @@
 #ifndef rtwLightTurning_h
 #define rtwLightTurning_h
 
-#include "rtwReadback.h"
-#include "rtwTurnStage.h"
-#include "rtwView.h"
+#include "Frame/rtwView.h"
+#include "GL/rtwReadback.h"
+#include "Light/rtwTurnStage.h"
 
 #include <cstdint>
 #include <map>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rtwLightUniforms.h"
+#include "Light/rtwLightUniforms.h"
 
-#include "rtwLightFrame.h"
-#include "rtwOpenGL.h"
-#include "rtwProgram.h"
-#include "rtwView.h"
+#include "Frame/rtwView.h"
+#include "GL/rtwOpenGL.h"
+#include "GL/rtwProgram.h"
+#include "Light/rtwLightFrame.h"
 
 #include <glm/gtc/type_ptr.hpp>
 

@@ -4,7 +4,7 @@
 #ifndef rtwMinimalFrustum_h
 #define rtwMinimalFrustum_h
 
-#include "rtwLightFrame.h"
+#include "Light/rtwLightFrame.h"
 
 #include <glm/glm.hpp>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rtwTurnChoice.h"
+#include "Light/rtwTurnChoice.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rtwTurnStage.h"
+#include "Light/rtwTurnStage.h"
 
-#include "rtwDrawing.h"
-#include "rtwLightUniforms.h"
-#include "rtwLitSample.h"
-#include "rtwOpenGL.h"
-#include "rtwReadback.h"
-#include "rtwShadowEdge.h"
-#include "rtwTexture.h"
-#include "rtwTurnErrors.h"
-#include "rtwTurnSamples.h"
-#include "rtwViewSampleAccess.h"
-#include "rtwViewSampler.h"
+#include "Frame/rtwViewSampleAccess.h"
+#include "Frame/rtwViewSampler.h"
+#include "GL/rtwDrawing.h"
+#include "GL/rtwOpenGL.h"
+#include "GL/rtwReadback.h"
+#include "GL/rtwTexture.h"
+#include "Light/rtwLightUniforms.h"
+#include "Light/rtwLitSample.h"
+#include "Light/rtwShadowEdge.h"
+#include "Light/rtwTurnErrors.h"
+#include "Light/rtwTurnSamples.h"
 
 #include <algorithm>
 #include <cmath>

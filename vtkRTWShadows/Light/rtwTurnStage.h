@@ -4,9 +4,9 @@
 #ifndef rtwTurnStage_h
 #define rtwTurnStage_h
 
-#include "rtwBuffer.h"
-#include "rtwLightFrame.h"
-#include "rtwProgram.h"
+#include "GL/rtwBuffer.h"
+#include "GL/rtwProgram.h"
+#include "Light/rtwLightFrame.h"
 
 #include <string>
 #include <vector>

@@ -1,34 +1,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rtwCasterDrawing.h"
+#include "LightPass/rtwCasterDrawing.h"
 
-#include "rtwBentCasterFS.h"
-#include "rtwBentCasterVS.h"
-#include "rtwCasterCovers.h"
-#include "rtwCasterGradient.h"
-#include "rtwCasterPlane.h"
-#include "rtwCasterRecords.h"
-#include "rtwCasterTriangle.h"
-#include "rtwCasterWork.h"
-#include "rtwClusterDraw.h"
-#include "rtwCoverByTiles.h"
-#include "rtwCoverCasters.h"
-#include "rtwCoveredCaster.h"
-#include "rtwCoverInFront.h"
-#include "rtwCullTriangles.h"
-#include "rtwDeepest.h"
-#include "rtwDeepestIn.h"
-#include "rtwGeometryStore.h"
-#include "rtwOpenGL.h"
-#include "rtwPatchClasses.h"
-#include "rtwPlaneCasterFS.h"
-#include "rtwPlaneCasterVS.h"
-#include "rtwSetUpCasters.h"
-#include "rtwStartClusters.h"
-#include "rtwStraightCasterFS.h"
-#include "rtwStraightCasterVS.h"
-#include "rtwTessellateCasters.h"
-#include "rtwTessellatedCasterVS.h"
-#include "rtwWarpFocus.h"
+#include "Frame/rtwClusterDraw.h"
+#include "Frame/rtwGeometryStore.h"
+#include "GL/rtwOpenGL.h"
+#include "Layers/rtwWarpFocus.h"
+#include "LightPass/Bent/rtwBentCasterFS.h"
+#include "LightPass/Bent/rtwBentCasterVS.h"
+#include "LightPass/Bent/rtwCasterCovers.h"
+#include "LightPass/Bent/rtwCasterGradient.h"
+#include "LightPass/Bent/rtwCasterPlane.h"
+#include "LightPass/Bent/rtwCasterTriangle.h"
+#include "LightPass/Bent/rtwCoverCasters.h"
+#include "LightPass/Bent/rtwCoverInFront.h"
+#include "LightPass/Bent/rtwCoveredCaster.h"
+#include "LightPass/Bent/rtwPatchClasses.h"
+#include "LightPass/Bent/rtwSetUpCasters.h"
+#include "LightPass/Bent/rtwTessellateCasters.h"
+#include "LightPass/Bent/rtwTessellatedCasterVS.h"
+#include "LightPass/Culling/rtwCullTriangles.h"
+#include "LightPass/Culling/rtwDeepest.h"
+#include "LightPass/Culling/rtwDeepestIn.h"
+#include "LightPass/Culling/rtwStartClusters.h"
+#include "LightPass/Straight/rtwPlaneCasterFS.h"
+#include "LightPass/Straight/rtwPlaneCasterVS.h"
+#include "LightPass/Straight/rtwStraightCasterFS.h"
+#include "LightPass/Straight/rtwStraightCasterVS.h"
+#include "LightPass/Tiles/rtwCoverByTiles.h"
+#include "LightPass/rtwCasterRecords.h"
+#include "LightPass/rtwCasterWork.h"
 
 #include <algorithm>
 
@@ -101,7 +101,7 @@ bool CasterDrawing::Build(const WarpShape& warp, TableAccess access)
   this->InTiles = warp.Kind == WarpKind::Grid;
   this->Projective = warp.Kind == WarpKind::Projective;
   const std::string limits = Limits();
-  const char* const stored = WarpTable::DefinitionOf(access);
+  const char* const stored = LayerTable::DefinitionOf(access);
   const char* const cover = CoverOf(warp.Kind);
   // Where edges are straight, a cover is the triangle.
   const char* const covered = this->Projective ? rtwPlaneCasterFS : rtwBentCasterFS;
@@ -230,7 +230,7 @@ void CasterDrawing::DrawTriangles(const CasterLayer& layer, int clusters)
   this->Pulled.DrawIndirect(Primitive::Triangles, this->Work, 0, clusters, WorkBytes);
 }
 
-void CasterDrawing::Draw(const GeometryStore& store, const WarpTable& table,
+void CasterDrawing::Draw(const GeometryStore& store, const LayerTable& table,
   const LightFrame& frame, int index, const CasterOptions& options, const DeepestSamples* deepest)
 {
   if (store.GetInstances().empty())

@@ -4,16 +4,16 @@
 #ifndef rtwCasterDrawing_h
 #define rtwCasterDrawing_h
 
-#include "rtwBuffer.h"
-#include "rtwCasterCulling.h"
-#include "rtwCasterLayer.h"
-#include "rtwDrawing.h"
-#include "rtwLightFrame.h"
-#include "rtwProgram.h"
-#include "rtwTexelBuffer.h"
-#include "rtwTileCovers.h"
-#include "rtwWarpStage.h"
-#include "rtwWarpTable.h"
+#include "GL/rtwBuffer.h"
+#include "GL/rtwDrawing.h"
+#include "GL/rtwProgram.h"
+#include "GL/rtwTexelBuffer.h"
+#include "Layers/rtwLayerTable.h"
+#include "Light/rtwLightFrame.h"
+#include "LightPass/Culling/rtwCasterCulling.h"
+#include "LightPass/Tiles/rtwTileCovers.h"
+#include "LightPass/rtwCasterLayer.h"
+#include "Warp/rtwWarpStage.h"
 
 #include <array>
 #include <cstddef>
@@ -32,7 +32,7 @@ public:
   /// Forgets what it counted of a layer.
   void StartLayer(int layer) { this->Clusters.StartLayer(layer); }
   /// Draws what a layer needs of the store into the target that is bound.
-  void Draw(const GeometryStore& store, const WarpTable& table, const LightFrame& frame, int layer,
+  void Draw(const GeometryStore& store, const LayerTable& table, const LightFrame& frame, int layer,
     const CasterOptions& options, const DeepestSamples* deepest = nullptr);
   /// Of a layer in the last frame. Waits for the GPU.
   CasterCounts ReadCounts(int layer) const { return this->Clusters.ReadCounts(layer); }

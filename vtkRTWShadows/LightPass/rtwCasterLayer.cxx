@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rtwCasterLayer.h"
+#include "LightPass/rtwCasterLayer.h"
 
-#include "rtwDeepestSamples.h"
-#include "rtwProgram.h"
-#include "rtwWarpTable.h"
+#include "GL/rtwProgram.h"
+#include "Layers/rtwLayerTable.h"
+#include "LightPass/Culling/rtwDeepestSamples.h"
 
 namespace rtw
 {

@@ -3,14 +3,14 @@
 #ifndef rtwCasterLayer_h
 #define rtwCasterLayer_h
 
-#include "rtwLightFrame.h"
+#include "Light/rtwLightFrame.h"
 
 namespace rtw
 {
 class DeepestSamples;
 class GeometryStore;
 class Program;
-class WarpTable;
+class LayerTable;
 
 /// What becomes of triangles that the warp bends; the numbers are the users'.
 enum class Bending
@@ -49,7 +49,7 @@ float NearestW(const LightFrame& frame);
 struct CasterLayer
 {
   const GeometryStore& Store;
-  const WarpTable& Table;
+  const LayerTable& Table;
   const LightFrame& Frame;
   int Index;
   bool Cull;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rtwLightImages.h"
+#include "LightPass/rtwLightImages.h"
+
+#include "Warp/Identity/rtwIdentityWarpStage.h"
 
 namespace rtw
 {
@@ -8,7 +10,7 @@ bool LightImages::Build()
   return this->Casters.Build(IdentityWarpStage().GetShape(), TableAccess::Storage);
 }
 
-void LightImages::Start(int size, int lights, const WarpTable& focused)
+void LightImages::Start(int size, int lights, const LayerTable& focused)
 {
   this->Images.Allocate(glm::ivec2(size), lights);
   this->Table.Allocate(1, size, lights, 0);

@@ -4,9 +4,9 @@
 #ifndef rtwLightImages_h
 #define rtwLightImages_h
 
-#include "rtwCasterDrawing.h"
-#include "rtwDenseLayers.h"
-#include "rtwWarpTable.h"
+#include "Layers/rtwDenseLayers.h"
+#include "Layers/rtwLayerTable.h"
+#include "LightPass/rtwCasterDrawing.h"
 
 namespace rtw
 {
@@ -17,7 +17,7 @@ public:
   bool Build();
   std::string GetLog() const { return this->Casters.GetLog(); }
   /// Makes images of that size, of as many lights, over the focus that each has in that table.
-  void Start(int size, int lights, const WarpTable& focused);
+  void Start(int size, int lights, const LayerTable& focused);
   /// Draws a light's, and leaves it the target of drawing. False where the driver can't draw into
   /// it.
   bool Draw(const GeometryStore& store, const LightFrame& frame, int light, bool cull);
@@ -28,7 +28,7 @@ public:
 
 private:
   DenseLayers Images;
-  WarpTable Table;
+  LayerTable Table;
   CasterDrawing Casters;
 };
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rtwMapperDrawing.h"
+#include "LightPass/rtwMapperDrawing.h"
 
-#include "rtwView.h"
+#include "Frame/rtwView.h"
 
 #include "vtkCamera.h"
 #include "vtkInformation.h"

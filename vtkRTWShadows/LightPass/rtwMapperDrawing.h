@@ -3,8 +3,8 @@
 #ifndef rtwMapperDrawing_h
 #define rtwMapperDrawing_h
 
-#include "rtwLightFrame.h"
-#include "rtwFrameScene.h"
+#include "Frame/rtwFrameScene.h"
+#include "Light/rtwLightFrame.h"
 
 #include <vector>
 

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rtwMaskStage.h"
+#include "Lookup/rtwMaskStage.h"
 
-#include "rtwDenseLayers.h"
-#include "rtwGatherLayers.h"
-#include "rtwLayerInterval.h"
-#include "rtwMaskFS.h"
-#include "rtwMaskValue.h"
-#include "rtwOpenGL.h"
-#include "rtwScreenVS.h"
-#include "rtwViewSampleAccess.h"
-#include "rtwViewSampler.h"
-#include "rtwWarpFocus.h"
+#include "Frame/rtwViewSampleAccess.h"
+#include "Frame/rtwViewSampler.h"
+#include "GL/rtwOpenGL.h"
+#include "GL/rtwScreenVS.h"
+#include "Layers/rtwDenseLayers.h"
+#include "Layers/rtwLayerInterval.h"
+#include "Layers/rtwWarpFocus.h"
+#include "Lookup/rtwGatherLayers.h"
+#include "Lookup/rtwMaskFS.h"
+#include "Lookup/rtwMaskValue.h"
 
 namespace rtw
 {
@@ -18,7 +18,7 @@ namespace
 {
 constexpr int DepthUnit = 1;
 constexpr int GradientUnit = 2;
-constexpr unsigned int LayersBinding = WarpTable::UniformBinding + 2;
+constexpr unsigned int LayersBinding = LayerTable::UniformBinding + 2;
 constexpr std::size_t LayerBytes = 32; // as in rtwGatherLayers.glsl
 }
 
@@ -43,7 +43,7 @@ bool MaskStage::Build(const ReceiverShape& shape, TableAccess access, bool layer
     this->Drawing.Build(
       { { GL_VERTEX_SHADER, { rtwScreenVS } },
         { GL_FRAGMENT_SHADER,
-          { WarpTable::DefinitionOf(access), definitions.c_str(), rtwWarpFocus, one.Warp.Function,
+          { LayerTable::DefinitionOf(access), definitions.c_str(), rtwWarpFocus, one.Warp.Function,
             lookup.c_str(), rtwViewSampleAccess, rtwMaskValue, rtwMaskFS } } },
       150);
 }
@@ -102,7 +102,7 @@ void MaskStage::SetLookup(
 }
 
 void MaskStage::Render(const ReceiverLights& lights, int otherLayers, const ViewSampler& samples,
-  const DenseLayers& layers, const WarpTable& table)
+  const DenseLayers& layers, const LayerTable& table)
 {
   this->Allocate(samples, lights.Count);
   if (this->LayersInUniforms)
@@ -124,7 +124,7 @@ void MaskStage::Render(const ReceiverLights& lights, int otherLayers, const View
   }
 }
 
-void MaskStage::GatherLayers(const WarpTable& table, int layers)
+void MaskStage::GatherLayers(const LayerTable& table, int layers)
 {
   this->Gathered.Reserve(layers * LayerBytes);
   this->Gathering.Use();

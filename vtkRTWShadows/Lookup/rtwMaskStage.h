@@ -3,13 +3,13 @@
 #ifndef rtwMaskStage_h
 #define rtwMaskStage_h
 
-#include "rtwBuffer.h"
-#include "rtwDrawing.h"
-#include "rtwFramebuffer.h"
-#include "rtwProgram.h"
-#include "rtwReceiverShader.h"
-#include "rtwTexture.h"
-#include "rtwWarpTable.h"
+#include "GL/rtwBuffer.h"
+#include "GL/rtwDrawing.h"
+#include "GL/rtwFramebuffer.h"
+#include "GL/rtwProgram.h"
+#include "GL/rtwTexture.h"
+#include "Layers/rtwLayerTable.h"
+#include "Lookup/rtwReceiverShader.h"
 
 #include <string>
 
@@ -24,7 +24,7 @@ struct MaskLookup
   const ReceiverLights& Lights;
   int OtherLayers; ///< how far behind the first layer another is looked up too; 0 for none
   const DenseLayers& Layers;
-  const WarpTable& Table;
+  const LayerTable& Table;
 };
 
 class MaskStage
@@ -36,7 +36,7 @@ public:
   std::string GetLog() const { return this->Drawing.GetLog() + this->Gathering.GetLog(); }
   /// One layer a light.
   void Render(const ReceiverLights& lights, int otherLayers, const ViewSampler& samples,
-    const DenseLayers& layers, const WarpTable& table);
+    const DenseLayers& layers, const LayerTable& table);
   /// For what fills the mask by itself: makes room, makes a layer the target of drawing.
   void Allocate(const ViewSampler& samples, int lights);
   bool BindTarget(int light);
@@ -54,7 +54,7 @@ public:
   void Abandon();
 
 private:
-  void GatherLayers(const WarpTable& table, int layers);
+  void GatherLayers(const LayerTable& table, int layers);
   void BindGathered(int light) const;
 
   ReceiverShape Shape;

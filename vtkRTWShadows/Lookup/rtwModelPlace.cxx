@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rtwModelPlace.h"
+#include "Lookup/rtwModelPlace.h"
 
-#include "rtwView.h"
+#include "Frame/rtwView.h"
 
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLPolyDataMapper.h"

@@ -3,9 +3,9 @@
 #ifndef rtwReceiverShader_h
 #define rtwReceiverShader_h
 
-#include "rtwLightFrame.h"
-#include "rtwView.h"
-#include "rtwWarpStage.h"
+#include "Frame/rtwView.h"
+#include "Light/rtwLightFrame.h"
+#include "Warp/rtwWarpStage.h"
 
 #include <array>
 #include <string>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The parameters of the code that is put into mappers' shaders.
-#include "rtwReceiverShader.h"
+#include "Lookup/rtwReceiverShader.h"
 
-#include "rtwLightUniforms.h"
+#include "Light/rtwLightUniforms.h"
 
 #include "vtkShaderProgram.h"
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rtwSplitChoice.h"
+#include "Lookup/rtwSplitChoice.h"
 
-#include "rtwDebugStage.h"
-#include "rtwDrawing.h"
-#include "rtwLayerInterval.h"
-#include "rtwOpenGL.h"
-#include "rtwResolutionSplit.h"
-#include "rtwShadowEdge.h"
-#include "rtwSplitErrors.h"
-#include "rtwWarpFocus.h"
-#include "rtwWarpTable.h"
+#include "GL/rtwDrawing.h"
+#include "GL/rtwOpenGL.h"
+#include "Layers/rtwLayerInterval.h"
+#include "Layers/rtwLayerTable.h"
+#include "Layers/rtwWarpFocus.h"
+#include "Light/rtwShadowEdge.h"
+#include "Lookup/rtwMapOfLight.h"
+#include "Lookup/rtwSplitErrors.h"
+#include "Warp/Perspective/rtwResolutionSplit.h"
 
 #include <cmath>
 #include <cstring>
@@ -84,7 +84,7 @@ bool SplitChoice::IsToAsk(std::uint64_t signature, const WarpShape& warp)
 }
 
 void SplitChoice::Ask(
-  const std::vector<DebuggedMap>& lights, const TurnInput& input, std::uint64_t signature)
+  const std::vector<MapOfLight>& lights, const TurnInput& input, std::uint64_t signature)
 {
   View& view = this->Views[this->Viewer];
   view.Asked = signature;
@@ -96,7 +96,7 @@ void SplitChoice::Ask(
     texels.push_back(float(longer / input.Texels));
   }
   this->Errors.Assign(std::vector<float>(Splits, 0.f));
-  for (const DebuggedMap& light : lights)
+  for (const MapOfLight& light : lights)
   {
     this->Edges.List(light.Frame, light.Frame.Number(), input);
     light.Use(this->Comparing);

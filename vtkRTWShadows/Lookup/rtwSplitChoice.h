@@ -4,11 +4,11 @@
 #ifndef rtwSplitChoice_h
 #define rtwSplitChoice_h
 
-#include "rtwBuffer.h"
-#include "rtwProgram.h"
-#include "rtwReadback.h"
-#include "rtwTurnStage.h"
-#include "rtwWarpStage.h"
+#include "GL/rtwBuffer.h"
+#include "GL/rtwProgram.h"
+#include "GL/rtwReadback.h"
+#include "Light/rtwTurnStage.h"
+#include "Warp/rtwWarpStage.h"
 
 #include <cstdint>
 #include <map>
@@ -17,7 +17,7 @@
 
 namespace rtw
 {
-struct DebuggedMap;
+struct MapOfLight;
 
 class SplitChoice
 {
@@ -35,7 +35,7 @@ public:
   bool IsToAsk(std::uint64_t signature, const WarpShape& warp);
   /// Starts to compare splits by a frame's lights, their maps of so many texels a side where they
   /// are square, and its mask.
-  void Ask(const std::vector<DebuggedMap>& lights, const TurnInput& input, std::uint64_t signature);
+  void Ask(const std::vector<MapOfLight>& lights, const TurnInput& input, std::uint64_t signature);
   /// Until that is done; then it counts. Whether there is a better split.
   bool Wait();
   void Release();

@@ -1,28 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rtwDepthSplitStage.h"
+#include "Partition/rtwDepthSplitStage.h"
 
-#include "rtwBackwardSample.h"
-#include "rtwDepthBins.h"
-#include "rtwDepthSplits.h"
-#include "rtwDrawing.h"
-#include "rtwLayerBlocks.h"
-#include "rtwLayerInterval.h"
-#include "rtwLightUniforms.h"
-#include "rtwLitSample.h"
-#include "rtwOpenGL.h"
-#include "rtwOrdered.h"
-#include "rtwSampleBlocks.h"
-#include "rtwSampleOfLayer.h"
-#include "rtwSamplePlace.h"
-#include "rtwSeenRange.h"
-#include "rtwSplitByBins.h"
-#include "rtwView.h"
-#include "rtwViewSampleAccess.h"
-#include "rtwViewSampler.h"
-#include "rtwVisitSamples.h"
-#include "rtwWarpFocus.h"
-#include "rtwWarpTable.h"
-#include "rtwWriteIntervals.h"
+#include "Frame/rtwSamplePlace.h"
+#include "Frame/rtwView.h"
+#include "Frame/rtwViewSampleAccess.h"
+#include "Frame/rtwViewSampler.h"
+#include "GL/rtwDrawing.h"
+#include "GL/rtwOpenGL.h"
+#include "Layers/rtwLayerBlocks.h"
+#include "Layers/rtwLayerInterval.h"
+#include "Layers/rtwLayerTable.h"
+#include "Layers/rtwOrdered.h"
+#include "Layers/rtwSampleBlocks.h"
+#include "Layers/rtwSampleOfLayer.h"
+#include "Layers/rtwVisitSamples.h"
+#include "Layers/rtwWarpFocus.h"
+#include "Light/rtwBackwardSample.h"
+#include "Light/rtwLightUniforms.h"
+#include "Light/rtwLitSample.h"
+#include "Partition/rtwDepthBins.h"
+#include "Partition/rtwDepthSplits.h"
+#include "Partition/rtwSeenRange.h"
+#include "Partition/rtwSplitByBins.h"
+#include "Partition/rtwWriteIntervals.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -86,7 +86,7 @@ std::vector<double> DepthSplitStage::FixedBorders(const PartitionInput& input) c
     input.Viewed.Parallel ? 0 : settings.Lambda);
 }
 
-void DepthSplitStage::WriteFixed(const PartitionInput& input, WarpTable& table) const
+void DepthSplitStage::WriteFixed(const PartitionInput& input, LayerTable& table) const
 {
   const std::vector<double> borders = this->FixedBorders(input);
   const double blend = this->Settings().Blend;
@@ -117,7 +117,7 @@ std::optional<Rectangle> DepthSplitStage::FocusOf(
   return SteadyFocus(frame, input.Viewed, depths, input.Reach, input.Resolution);
 }
 
-void DepthSplitStage::SplitBySamples(const PartitionInput& input, const WarpTable& table)
+void DepthSplitStage::SplitBySamples(const PartitionInput& input, const LayerTable& table)
 {
   const std::vector<std::uint32_t> empty{ 0xffffffffu, 0xffffffffu, 0, 0, 0, 0, 0, 0 };
   std::vector<std::uint32_t> start;
@@ -150,7 +150,7 @@ void DepthSplitStage::SplitBySamples(const PartitionInput& input, const WarpTabl
   Dispatch(static_cast<int>(input.Frames.size()));
 }
 
-void DepthSplitStage::Split(const PartitionInput& input, WarpTable& table)
+void DepthSplitStage::Split(const PartitionInput& input, LayerTable& table)
 {
   if (this->IsFixed(input))
   {

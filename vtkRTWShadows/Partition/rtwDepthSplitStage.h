@@ -4,9 +4,9 @@
 #ifndef rtwDepthSplitStage_h
 #define rtwDepthSplitStage_h
 
-#include "rtwBuffer.h"
-#include "rtwPartitionStage.h"
-#include "rtwProgram.h"
+#include "GL/rtwBuffer.h"
+#include "GL/rtwProgram.h"
+#include "Partition/rtwPartitionStage.h"
 
 #include <functional>
 #include <map>
@@ -39,7 +39,7 @@ public:
   bool Build() override;
   std::string GetLog() const override;
   bool IsFixed(const PartitionInput& input) const override;
-  void Split(const PartitionInput& input, WarpTable& table) override;
+  void Split(const PartitionInput& input, LayerTable& table) override;
   std::optional<Rectangle> FocusOf(
     const LightFrame& frame, const PartitionInput& input) const override;
   void Release() override;
@@ -47,8 +47,8 @@ public:
 
 private:
   std::vector<double> FixedBorders(const PartitionInput& input) const;
-  void WriteFixed(const PartitionInput& input, WarpTable& table) const;
-  void SplitBySamples(const PartitionInput& input, const WarpTable& table);
+  void WriteFixed(const PartitionInput& input, LayerTable& table) const;
+  void SplitBySamples(const PartitionInput& input, const LayerTable& table);
 
   std::function<DepthSplitSettings()> Settings;
   Program Binning, Splitting, Writing;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rtwDepthSplits.h"
+#include "Partition/rtwDepthSplits.h"
 
-#include "rtwFramedView.h"
-#include "rtwMinimalFrustum.h"
+#include "Frame/rtwFramedView.h"
+#include "Light/rtwMinimalFrustum.h"
 
 #include <algorithm>
 #include <cmath>

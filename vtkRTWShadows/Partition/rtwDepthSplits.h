@@ -4,8 +4,8 @@
 #ifndef rtwDepthSplits_h
 #define rtwDepthSplits_h
 
-#include "rtwFocus.h"
-#include "rtwLightFrame.h"
+#include "Layers/rtwFocus.h"
+#include "Light/rtwLightFrame.h"
 
 #include <glm/glm.hpp>
 

@@ -5,8 +5,8 @@
 #ifndef rtwPartitionStage_h
 #define rtwPartitionStage_h
 
-#include "rtwFocus.h"
-#include "rtwLightFrame.h"
+#include "Layers/rtwFocus.h"
+#include "Light/rtwLightFrame.h"
 
 #include <optional>
 #include <string>
@@ -17,7 +17,7 @@ namespace rtw
 class Buffer;
 class LayerBlocks;
 class ViewSampler;
-class WarpTable;
+class LayerTable;
 struct View;
 
 struct PartitionInput
@@ -52,7 +52,7 @@ public:
   /// Whether depths don't go by view samples, and layers move by whole texels, which are square.
   virtual bool IsFixed(const PartitionInput&) const { return false; }
   /// Writes each layer's interval into the table; layers of a light stand together.
-  virtual void Split(const PartitionInput& input, WarpTable& table) = 0;
+  virtual void Split(const PartitionInput& input, LayerTable& table) = 0;
   /// What the layer of a frame has to cover, where that doesn't go by view samples.
   virtual std::optional<Rectangle> FocusOf(const LightFrame&, const PartitionInput&) const
   {
@@ -69,7 +69,7 @@ public:
   bool NeedsViewSamples() const override { return false; }
   bool Build() override { return true; }
   std::string GetLog() const override { return {}; }
-  void Split(const PartitionInput&, WarpTable&) override {}
+  void Split(const PartitionInput&, LayerTable&) override {}
   void Release() override {}
   void Abandon() override {}
 };

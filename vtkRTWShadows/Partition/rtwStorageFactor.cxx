@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rtwStorageFactor.h"
+#include "Partition/rtwStorageFactor.h"
 
-#include "rtwPerspectiveWarp.h"
+#include "Warp/Perspective/rtwPerspectiveWarp.h"
 
 #include <algorithm>
 #include <array>

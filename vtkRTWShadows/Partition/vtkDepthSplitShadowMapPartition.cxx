@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDepthSplitShadowMapPartition.h"
 
-#include "rtwDepthSplitStage.h"
+#include "Partition/rtwDepthSplitStage.h"
 
 #include "vtkObjectFactory.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowMapPartition.h"
 
-#include "rtwPartitionStage.h"
+#include "Partition/rtwPartitionStage.h"
 
 #include "vtkObjectFactory.h"
 

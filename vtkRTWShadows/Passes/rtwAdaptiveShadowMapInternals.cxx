@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rtwAdaptiveShadowMapInternals.h"
+#include "Passes/rtwAdaptiveShadowMapInternals.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseVectorKey.h"

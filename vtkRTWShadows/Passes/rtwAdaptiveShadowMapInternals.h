@@ -3,13 +3,13 @@
 #ifndef rtwAdaptiveShadowMapInternals_h
 #define rtwAdaptiveShadowMapInternals_h
 
-#include "rtwDetachment.h"
-#include "rtwImages.h"
-#include "rtwLightCollector.h"
-#include "rtwReceiverCode.h"
-#include "rtwFrameScene.h"
-#include "rtwShadowPipeline.h"
-#include "rtwStateRecord.h"
+#include "Frame/rtwFrameScene.h"
+#include "GL/rtwStateRecord.h"
+#include "Inspect/rtwImages.h"
+#include "Light/rtwLightCollector.h"
+#include "Passes/rtwDetachment.h"
+#include "Passes/rtwReceiverCode.h"
+#include "Passes/rtwShadowPipeline.h"
 
 #include "vtkAdaptiveShadowMapPass.h"
 #include "vtkImageData.h"

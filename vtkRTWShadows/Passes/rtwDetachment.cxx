@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rtwDetachment.h"
+#include "Passes/rtwDetachment.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseVectorKey.h"

@@ -4,7 +4,7 @@
 
 #include "vtkRTWEGLRenderWindow.h"
 
-#include "rtwEGLContext.h"
+#include "GL/rtwEGLContext.h"
 
 #include <memory>
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rtwReceiverCode.h"
+#include "Passes/rtwReceiverCode.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkWeakPointer.h"

@@ -3,7 +3,7 @@
 #ifndef rtwReceiverCode_h
 #define rtwReceiverCode_h
 
-#include "rtwReceiverShader.h"
+#include "Lookup/rtwReceiverShader.h"
 
 #include "vtkOpenGLRenderPass.h"
 #include "vtkSmartPointer.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rtwRendererFlags.h"
+#include "Passes/rtwRendererFlags.h"
 
-#include "rtwOpenGL.h"
-#include "rtwVTKCompatibility.h"
+#include "GL/rtwOpenGL.h"
+#include "GL/rtwVTKCompatibility.h"
 
 #include "vtkActor.h"
 #include "vtkAssemblyNode.h"

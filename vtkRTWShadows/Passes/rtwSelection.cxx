@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rtwSelection.h"
+#include "Passes/rtwSelection.h"
 
-#include "rtwDetachment.h"
-#include "rtwOpenGL.h"
+#include "GL/rtwOpenGL.h"
+#include "Passes/rtwDetachment.h"
 
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"

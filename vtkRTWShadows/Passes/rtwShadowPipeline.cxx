@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rtwShadowPipeline.h"
+#include "Passes/rtwShadowPipeline.h"
+
+#include "Warp/Identity/rtwIdentityWarpStage.h"
 
 #include "vtkOpenGLRenderWindow.h"
 
@@ -225,7 +227,7 @@ bool ShadowPipeline::Update(const View& view, const FrameScene& scene,
 int ShadowPipeline::ClampResolution(unsigned int resolution, std::size_t layers) const
 {
   // Each layer, and that of its other casters.
-  const int rows = WarpTable::RowsPerLayer * 2 * static_cast<int>(std::max<std::size_t>(layers, 1));
+  const int rows = LayerTable::RowsPerLayer * 2 * static_cast<int>(std::max<std::size_t>(layers, 1));
   int most = std::min(this->Can.MaximumTextureSize, this->Can.MaximumTexels / rows);
   if (this->GetShape().Kind == WarpKind::Grid)
   {

@@ -4,29 +4,29 @@
 #ifndef rtwShadowPipeline_h
 #define rtwShadowPipeline_h
 
-#include "rtwCapabilities.h"
-#include "rtwCasterDrawing.h"
-#include "rtwDebugStage.h"
-#include "rtwDeepestSamples.h"
-#include "rtwDenseLayers.h"
-#include "rtwErrorPrediction.h"
-#include "rtwFocus.h"
-#include "rtwFrameScene.h"
-#include "rtwGeometryStore.h"
-#include "rtwLightImages.h"
-#include "rtwLightTurning.h"
-#include "rtwMaskSource.h"
-#include "rtwMaskStage.h"
-#include "rtwMinimalFrustum.h"
-#include "rtwPartitionStage.h"
-#include "rtwReceiverShader.h"
-#include "rtwSplitChoice.h"
-#include "rtwStageTimers.h"
-#include "rtwStatistics.h"
-#include "rtwView.h"
-#include "rtwViewSampler.h"
-#include "rtwWarpStage.h"
-#include "rtwWarpTable.h"
+#include "Frame/rtwFrameScene.h"
+#include "Frame/rtwGeometryStore.h"
+#include "Frame/rtwStatistics.h"
+#include "Frame/rtwView.h"
+#include "Frame/rtwViewSampler.h"
+#include "GL/rtwCapabilities.h"
+#include "GL/rtwStageTimers.h"
+#include "Inspect/rtwDebugStage.h"
+#include "Inspect/rtwErrorPrediction.h"
+#include "Layers/rtwDenseLayers.h"
+#include "Layers/rtwFocus.h"
+#include "Layers/rtwLayerTable.h"
+#include "Light/rtwLightTurning.h"
+#include "Light/rtwMinimalFrustum.h"
+#include "LightPass/Culling/rtwDeepestSamples.h"
+#include "LightPass/rtwCasterDrawing.h"
+#include "LightPass/rtwLightImages.h"
+#include "Lookup/rtwMaskStage.h"
+#include "Lookup/rtwReceiverShader.h"
+#include "Lookup/rtwSplitChoice.h"
+#include "Partition/rtwPartitionStage.h"
+#include "Storage/rtwMaskSource.h"
+#include "Warp/rtwWarpStage.h"
 
 #include "vtkWeakPointer.h"
 
@@ -126,7 +126,7 @@ public:
   const DenseLayers& GetLayers() const { return this->Layers; }
   /// Whether the last frame drew the lights' own layers.
   bool HasOwnLayers() const { return this->HasMaps; }
-  const WarpTable& GetTable() const { return this->Table; }
+  const LayerTable& GetTable() const { return this->Table; }
   WarpShape GetShape() const;
   /// What a receiver's shaders need to know.
   ReceiverUniforms MakeUniforms(const PipelineOptions& options) const;
@@ -195,7 +195,7 @@ private:
   bool DrawMaskBySource(StateGuard& guard, const FrameScene& scene, const PipelineOptions& options,
     const MapperDrawing& mappers);
   void CompleteViewSamples(const std::function<void()>& mapperSamples);
-  DebuggedMap MapOf(int light) const;
+  MapOfLight MapOf(int light) const;
   void DrawMaps(StateGuard& guard, const FrameScene& scene, const PipelineOptions& options,
     const MapperDrawing& mappers, const Texture* lastMask, bool still);
   void AskForTurns(const FrameScene& scene, const PipelineOptions& options, const Texture* mask);
@@ -276,7 +276,7 @@ private:
   bool HasMask = false;
   View Masked; ///< what the mask is of
   DenseLayers Layers;
-  WarpTable Table;
+  LayerTable Table;
   StageTimers Timers;
   Statistics Counted;
   View Viewed;

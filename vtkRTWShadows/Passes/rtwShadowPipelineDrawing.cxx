@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a frame draws: view samples, the analysis of them, the layers, and the mask.
-#include "rtwShadowPipeline.h"
+#include "Passes/rtwShadowPipeline.h"
 
-#include "rtwAnalysisInput.h"
-#include "rtwFramedView.h"
-#include "rtwStateGuard.h"
+#include "Frame/rtwFramedView.h"
+#include "GL/rtwStateGuard.h"
+#include "Importance/rtwAnalysisInput.h"
 
 #include "vtkOpenGLRenderWindow.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Where on the light plane each layer's map lies: its depths, its focus, and the turn to ask for.
-#include "rtwShadowPipeline.h"
+#include "Passes/rtwShadowPipeline.h"
 
-#include "rtwResolutionSplit.h"
+#include "Warp/Perspective/rtwResolutionSplit.h"
 
 #include <algorithm>
 #include <limits>
@@ -175,7 +175,7 @@ void ShadowPipeline::AskForSplit(const PipelineOptions& options)
     return;
   }
   StageTimers::Scope timer(this->Timers, "resolution split");
-  std::vector<DebuggedMap> lights;
+  std::vector<MapOfLight> lights;
   for (std::size_t light = 0; light < this->Frames.size(); ++light)
   {
     lights.push_back(this->MapOf(static_cast<int>(light)));

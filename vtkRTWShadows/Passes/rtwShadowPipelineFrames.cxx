@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Where the coordinates of a frame begin: of the view, of each light, and how its plane is turned.
-#include "rtwShadowPipeline.h"
+#include "Passes/rtwShadowPipeline.h"
 
-#include "rtwFramedView.h"
+#include "Frame/rtwFramedView.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What somebody wants to know of a frame that the picture doesn't need.
-#include "rtwShadowPipeline.h"
+#include "Passes/rtwShadowPipeline.h"
 
-#include "rtwStateGuard.h"
+#include "GL/rtwStateGuard.h"
 
 #include "vtkOpenGLRenderWindow.h"
 
@@ -10,7 +10,7 @@
 
 namespace rtw
 {
-DebuggedMap ShadowPipeline::MapOf(int light) const
+MapOfLight ShadowPipeline::MapOf(int light) const
 {
   const int first = light * this->LayerFrames.front().Parts;
   return { this->LayerFrames[first], this->OtherLayers, this->Sampler, this->Table };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a frame has for the shaders of receivers.
-#include "rtwShadowPipeline.h"
+#include "Passes/rtwShadowPipeline.h"
 
-#include "rtwFramedView.h"
+#include "Frame/rtwFramedView.h"
 
 #include <algorithm>
 #include <cmath>

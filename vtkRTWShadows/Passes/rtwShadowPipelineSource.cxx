@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How a frame's mask comes from elsewhere than the maps.
-#include "rtwShadowPipeline.h"
+#include "Passes/rtwShadowPipeline.h"
 
-#include "rtwOpenGL.h"
-#include "rtwSampleGrid.h"
-#include "rtwStateGuard.h"
+#include "GL/rtwOpenGL.h"
+#include "GL/rtwStateGuard.h"
+#include "Storage/Exact/rtwSampleGrid.h"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 // The two eyes of vtkAdaptiveShadowMapPass in stereo.
 #include "vtkAdaptiveShadowMapPass.h"
 
-#include "rtwAdaptiveShadowMapInternals.h"
+#include "Passes/rtwAdaptiveShadowMapInternals.h"
 
 #include <utility>
 

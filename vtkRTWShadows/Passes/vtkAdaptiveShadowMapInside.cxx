@@ -2,7 +2,7 @@
 // How one looks inside a vtkAdaptiveShadowMapPass.
 #include "vtkAdaptiveShadowMapPass.h"
 
-#include "rtwAdaptiveShadowMapInternals.h"
+#include "Passes/rtwAdaptiveShadowMapInternals.h"
 
 #include "vtkLight.h"
 

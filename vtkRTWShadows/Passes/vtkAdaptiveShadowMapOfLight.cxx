@@ -2,7 +2,7 @@
 // What a vtkAdaptiveShadowMapPass says of a light, asked by the vtkLight instead of its number.
 #include "vtkAdaptiveShadowMapPass.h"
 
-#include "rtwAdaptiveShadowMapInternals.h"
+#include "Passes/rtwAdaptiveShadowMapInternals.h"
 
 int vtkAdaptiveShadowMapPass::GetShadowLightIndex(vtkLight* light)
 {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAdaptiveShadowMapPass.h"
 
-#include "rtwAdaptiveShadowMapInternals.h"
-#include "rtwMapperDrawing.h"
-#include "rtwModelPlace.h"
-#include "rtwSelection.h"
-#include "rtwViewport.h"
-#include "rtwVTKCompatibility.h"
+#include "GL/rtwVTKCompatibility.h"
+#include "GL/rtwViewport.h"
+#include "LightPass/rtwMapperDrawing.h"
+#include "Lookup/rtwModelPlace.h"
+#include "Passes/rtwAdaptiveShadowMapInternals.h"
+#include "Passes/rtwSelection.h"
 
 #include "vtkActor.h"
 #include "vtkAdaptiveShadowMapBakerPass.h"

@@ -2,7 +2,7 @@
 // The axes, statistics and images of vtkAdaptiveShadowMapPass.
 #include "vtkAdaptiveShadowMapPass.h"
 
-#include "rtwAdaptiveShadowMapInternals.h"
+#include "Passes/rtwAdaptiveShadowMapInternals.h"
 
 #include "vtkAdaptiveShadowMapBakerPass.h"
 #include "vtkImageData.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkExactShadowMapPass.h"
 
-#include "rtwExactShadows.h"
+#include "Storage/Exact/rtwExactShadows.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkRectilinearShadowMapWarp.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRTWEGLRenderWindow.h"
 
-#include "rtwEGLRenderWindowInternals.h"
-#include "rtwOpenGL.h"
+#include "GL/rtwOpenGL.h"
+#include "Passes/rtwEGLRenderWindowInternals.h"
 
 #include "vtkCollection.h"
 #include "vtkObjectFactory.h"

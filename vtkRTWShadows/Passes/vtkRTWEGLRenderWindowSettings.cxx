@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The part of vtkRTWEGLRenderWindow that is set and asked; the context's life is in the other file.
-#include "rtwEGLRenderWindowInternals.h"
+#include "Passes/rtwEGLRenderWindowInternals.h"
 
 #include "vtkObjectFactory.h"
 

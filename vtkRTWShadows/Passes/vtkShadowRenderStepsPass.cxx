@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowRenderStepsPass.h"
 
-#include "rtwRendererFlags.h"
-#include "rtwSelection.h"
-#include "rtwView.h"
+#include "Frame/rtwView.h"
+#include "Passes/rtwRendererFlags.h"
+#include "Passes/rtwSelection.h"
 
 #include "vtkRTWShadowMapPass.h"
-#include "vtkShadowedStepPass.h"
+#include "Passes/vtkShadowedStepPass.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkRenderPassCollection.h"

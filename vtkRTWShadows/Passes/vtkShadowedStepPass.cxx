@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkShadowedStepPass.h"
+#include "Passes/vtkShadowedStepPass.h"
 
 #include "vtkAdaptiveShadowMapPass.h"
 

@@ -2,12 +2,11 @@
 // The contract of a warp: GLSL for caster and receiver, and a way to build its table from view
 // samples.
 //
-// Implemented by IdentityWarpStage (below), RectilinearWarpStage, NonOrthogonalWarpStage and
-// PerspectiveWarpStage.
+// Implemented by IdentityWarpStage, RectilinearWarpStage, NonOrthogonalWarpStage and PerspectiveWarpStage.
 #ifndef rtwWarpStage_h
 #define rtwWarpStage_h
 
-#include "rtwLightFrame.h"
+#include "Light/rtwLightFrame.h"
 
 #include <glm/glm.hpp>
 
@@ -17,7 +16,7 @@
 
 namespace rtw
 {
-class WarpTable;
+class LayerTable;
 struct AnalysisInput;
 struct SplitScene;
 struct View;
@@ -71,35 +70,21 @@ public:
   virtual bool Build() = 0;
   virtual std::string GetLog() const = 0;
   /// Starts a frame, whose focus is in the table; may let it cover more.
-  virtual void Follow(const WarpFrame&, const WarpTable&) {}
+  virtual void Follow(const WarpFrame&, const LayerTable&) {}
   /// Whether another frame that is the same would get the same table.
   virtual bool IsSettled() const { return true; }
   /// Fills the table of every layer; its focus is there already.
   virtual void Run(
-    const std::vector<LightFrame>& frames, const AnalysisInput& input, const WarpTable& table) = 0;
+    const std::vector<LightFrame>& frames, const AnalysisInput& input, const LayerTable& table) = 0;
   /// How many times the mean density of texels the densest cell of a layer has along s and t. Waits
   /// for the GPU.
   virtual glm::dvec2 ReadGreatestDensity(int layer) const = 0;
   /// Of each cell along s, then along t: the importance as it was collected, and as it was used.
   /// Of a warp that isn't separable, of each line's cells, line by line. Empty for a layer that
   /// there isn't, and where the warp goes by none. From what Run() filled. Waits for the GPU.
-  virtual std::vector<float> ReadImportance(int, const WarpTable&) const { return {}; }
+  virtual std::vector<float> ReadImportance(int, const LayerTable&) const { return {}; }
   virtual void Release() = 0;
   virtual void Abandon() = 0;
-};
-
-class IdentityWarpStage : public WarpStage
-{
-public:
-  WarpShape GetShape() const override;
-  bool NeedsViewSamples() const override { return false; }
-  int GetCells() const override { return 1; }
-  bool Build() override { return true; }
-  std::string GetLog() const override { return {}; }
-  void Run(const std::vector<LightFrame>&, const AnalysisInput&, const WarpTable&) override {}
-  glm::dvec2 ReadGreatestDensity(int) const override { return glm::dvec2(1); }
-  void Release() override {}
-  void Abandon() override {}
 };
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowMapWarp.h"
 
-#include "rtwWarpStage.h"
+#include "Warp/rtwWarpStage.h"
 
 vtkShadowMapWarp::vtkShadowMapWarp() = default;
 vtkShadowMapWarp::~vtkShadowMapWarp() = default;

@@ -2,7 +2,7 @@
 #include "Figures.h"
 
 #include "rtwCommandLine.h"
-#include "rtwPerspectiveWarp.h"
+#include "Warp/Perspective/rtwPerspectiveWarp.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #ifndef Figures_h
 #define Figures_h
 
-#include "rtwStorageFactor.h"
+#include "Partition/rtwStorageFactor.h"
 
 #include <string>
 #include <vector>

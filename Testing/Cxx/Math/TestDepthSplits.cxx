@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rtwDepthSplits.h"
-#include "rtwView.h"
+#include "Frame/rtwView.h"
+#include "Partition/rtwDepthSplits.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What view samples hold of a view whose eye is far from what it sees, as the floats of the GPU have it.
-#include "rtwFramedView.h"
+#include "Frame/rtwFramedView.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rtwLightFrame.h"
+#include "Light/rtwLightFrame.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rtwMeshData.h"
+#include "Frame/rtwMeshData.h"
 
 #include "vtkCellArray.h"
 #include "vtkNew.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rtwMinimalFrustum.h"
+#include "Light/rtwMinimalFrustum.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rtwNonOrthogonalWarp.h"
+#include "Warp/NonOrthogonal/rtwNonOrthogonalWarp.h"
 
 #include <gtest/gtest.h>
 

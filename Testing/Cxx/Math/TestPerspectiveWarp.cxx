@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rtwPerspectiveWarp.h"
+#include "Warp/Perspective/rtwPerspectiveWarp.h"
 
 #include <gtest/gtest.h>
 

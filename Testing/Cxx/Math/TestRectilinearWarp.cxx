@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rtwRectilinearWarp.h"
+#include "Warp/Rectilinear/rtwRectilinearWarp.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How texels are split between s and t: beside Equations 9 to 14 of Lloyd et al. 2006, and steady.
-#include "rtwResolutionSplit.h"
+#include "Warp/Perspective/rtwResolutionSplit.h"
 
-#include "rtwStorageFactor.h"
-#include "rtwView.h"
+#include "Frame/rtwView.h"
+#include "Partition/rtwStorageFactor.h"
 
 #include <gtest/gtest.h>
 

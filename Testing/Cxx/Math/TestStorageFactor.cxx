@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The closed forms of Lloyd et al. 2006 beside numbers from the corners of the frustum.
-#include "rtwStorageFactor.h"
+#include "Partition/rtwStorageFactor.h"
 
-#include "rtwPerspectiveWarp.h"
+#include "Warp/Perspective/rtwPerspectiveWarp.h"
 
 #include <gtest/gtest.h>
 

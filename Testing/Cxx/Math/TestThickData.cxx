@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rtwThickData.h"
+#include "Frame/rtwThickData.h"
 
 #include "vtkCellArray.h"
 #include "vtkNew.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How warping functions are culled, and how they follow the last frame's.
-#include "rtwRectilinearWarp.h"
+#include "Warp/Rectilinear/rtwRectilinearWarp.h"
 
 #include <gtest/gtest.h>
 

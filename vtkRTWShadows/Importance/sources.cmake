@@ -1,0 +1,14 @@
+set(rtw_room_Importance
+  Importance/rtwAnalysisInput.h
+  Importance/rtwCollectImage.glsl
+  Importance/rtwCollectView.glsl
+  Importance/rtwEdgesNone.glsl
+  Importance/rtwEdgesOfImage.glsl
+  Importance/rtwEdgesOfMask.glsl
+  Importance/rtwForwardSample.glsl
+  Importance/rtwImportance.glsl
+  Importance/rtwImportanceStage.cxx
+  Importance/rtwImportanceStage.h
+  Importance/rtwLightImage.glsl
+  Importance/rtwUserFunction.glsl
+  Importance/sources.cmake)

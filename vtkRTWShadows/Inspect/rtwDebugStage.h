@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a light's map looks like from the view: debug views, and the aliasing error as numbers.
+#ifndef rtwDebugStage_h
+#define rtwDebugStage_h
+
+#include "GL/rtwDrawing.h"
+#include "GL/rtwFramebuffer.h"
+#include "GL/rtwProgram.h"
+#include "Lookup/rtwMapOfLight.h"
+#include "Warp/rtwWarpStage.h"
+
+#include <string>
+
+namespace rtw
+{
+class Texture;
+
+/// As vtkInspectableShadowMapPass::DebugViews.
+enum class DebugView
+{
+  None,
+  Shadow,
+  AliasingError,
+  Importance,
+  WarpGrid,
+  Layers,
+  ListLengths
+};
+
+class DebugStage
+{
+public:
+  /// Compiles for that warp, unless that is done; false, with the reason in GetLog(), where the
+  /// driver can't.
+  bool Build(const WarpShape& warp);
+  std::string GetLog() const { return this->Painting.GetLog() + this->Measuring.GetLog(); }
+  /// Over what is drawn of the view samples in the target and viewport that are bound. Only SHADOW
+  /// looks at the mask. `rounding` is a distance that errors of depth don't exceed.
+  void Paint(DebugView view, const MapOfLight& map, const Texture& mask, double rounding);
+  /// The aliasing error along s and t into a texture of two floats; false where that can't be drawn
+  /// into.
+  bool Measure(const MapOfLight& map, Texture& error);
+  void Release();
+  void Abandon();
+
+private:
+  const char* Warp = nullptr; ///< that is compiled
+  Program Painting, Measuring;
+  Framebuffer Target;
+  ScreenTriangle Triangle;
+};
+}
+
+#endif

@@ -1,0 +1,11 @@
+set(rtw_room_Inspect
+  Inspect/rtwAliasingErrorFS.glsl
+  Inspect/rtwDebugStage.cxx
+  Inspect/rtwDebugStage.h
+  Inspect/rtwDebugViewFS.glsl
+  Inspect/rtwErrorPrediction.cxx
+  Inspect/rtwErrorPrediction.h
+  Inspect/rtwImages.cxx
+  Inspect/rtwImages.h
+  Inspect/rtwPredictedErrorFS.glsl
+  Inspect/sources.cmake)

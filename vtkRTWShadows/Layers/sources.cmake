@@ -1,0 +1,26 @@
+set(rtw_room_Layers
+  Layers/rtwBoundBlocks.glsl
+  Layers/rtwDenseLayers.cxx
+  Layers/rtwDenseLayers.h
+  Layers/rtwFocus.cxx
+  Layers/rtwFocus.h
+  Layers/rtwFocusBounds.glsl
+  Layers/rtwFocusBoxes.glsl
+  Layers/rtwFocusWrite.glsl
+  Layers/rtwHeldSample.glsl
+  Layers/rtwLayerBlocks.cxx
+  Layers/rtwLayerBlocks.h
+  Layers/rtwLayerInterval.glsl
+  Layers/rtwLayerTable.cxx
+  Layers/rtwLayerTable.h
+  Layers/rtwOrdered.glsl
+  Layers/rtwPlacedOnPlane.glsl
+  Layers/rtwSampleBlocks.glsl
+  Layers/rtwSampleBounds.cxx
+  Layers/rtwSampleBounds.h
+  Layers/rtwSampleOfLayer.glsl
+  Layers/rtwUniteBlocks.glsl
+  Layers/rtwVisitBlocks.glsl
+  Layers/rtwVisitSamples.glsl
+  Layers/rtwWarpFocus.glsl
+  Layers/sources.cmake)

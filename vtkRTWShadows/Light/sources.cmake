@@ -1,0 +1,24 @@
+set(rtw_room_Light
+  Light/rtwBackwardSample.glsl
+  Light/rtwLightCollector.cxx
+  Light/rtwLightCollector.h
+  Light/rtwLightFrame.h
+  Light/rtwLightTurning.cxx
+  Light/rtwLightTurning.h
+  Light/rtwLightUniforms.cxx
+  Light/rtwLightUniforms.h
+  Light/rtwLitSample.glsl
+  Light/rtwMinimalFrustum.h
+  Light/rtwRectangle.h
+  Light/rtwSampleMoves.glsl
+  Light/rtwShadowEdge.glsl
+  Light/rtwTurnChoice.h
+  Light/rtwTurnErrors.glsl
+  Light/rtwTurnSamples.glsl
+  Light/rtwTurnStage.cxx
+  Light/rtwTurnStage.h
+  Light/sources.cmake)
+list(APPEND rtw_pure
+  Light/rtwLightFrame.cxx
+  Light/rtwMinimalFrustum.cxx
+  Light/rtwTurnChoice.cxx)
