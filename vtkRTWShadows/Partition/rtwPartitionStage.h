@@ -5,6 +5,7 @@
 #ifndef rtwPartitionStage_h
 #define rtwPartitionStage_h
 
+#include "GL/rtwResourceOwner.h"
 #include "Layers/rtwFocus.h"
 #include "Light/rtwLightFrame.h"
 
@@ -36,10 +37,9 @@ struct PartitionInput
   FilterReach Reach;
 };
 
-class PartitionStage
+class PartitionStage : public ResourceOwner
 {
 public:
-  virtual ~PartitionStage() = default;
   virtual int GetNumberOfLayers() const = 0; ///< of a light
   /// Of the view frustum that each depth is divided among; layers of a depth stand together.
   virtual int GetNumberOfFaces() const { return 1; }
@@ -58,8 +58,6 @@ public:
   {
     return {};
   }
-  virtual void Release() = 0;
-  virtual void Abandon() = 0;
 };
 
 class WholeViewStage : public PartitionStage

@@ -36,7 +36,7 @@ public:
 #ifndef __VTK_WRAP__
   /**
    * The GPU side of this partition, for one pass. It asks this object for its settings, which has
-   * to outlive it.
+   * to stay as long as it is in use.
    */
   virtual std::unique_ptr<rtw::PartitionStage> MakeStage();
 #endif

@@ -43,7 +43,7 @@ void vtkAdaptiveShadowMapPass::Internals::UseWarp(vtkShadowMapWarp* warp)
 {
   if (this->Warp != warp)
   {
-    // The old stage asks the old warp for its settings, so the stage goes first.
+    // The old stage asks the old warp for its settings, so it is retired first.
     this->Pipeline.SetWarp(warp->MakeStage());
     this->Warp = warp;
   }

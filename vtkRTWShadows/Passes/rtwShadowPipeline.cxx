@@ -36,15 +36,17 @@ ShadowPipeline::~ShadowPipeline() = default;
 
 void ShadowPipeline::SetWarp(std::unique_ptr<WarpStage> warp)
 {
-  // The old one's handles go with the context; programs are few and small.
-  this->Warp->Abandon();
-  this->Warp = std::move(warp);
+  this->Retired.push_back(std::exchange(this->Warp, std::move(warp)));
   this->LastSignature = 0;
   this->Stale = true;
 }
 
 void ShadowPipeline::SetMaskSource(std::unique_ptr<MaskSource> source)
 {
+  if (this->Source && this->OwnsShared)
+  {
+    this->Retired.push_back(this->Source);
+  }
   this->Source = std::move(source);
   this->LastSignature = 0;
 }
@@ -62,8 +64,7 @@ CasterCounts ShadowPipeline::ReadCasterCounts(int layer) const
 
 void ShadowPipeline::SetPartition(std::unique_ptr<PartitionStage> partition)
 {
-  this->Partition->Abandon();
-  this->Partition = std::move(partition);
+  this->Retired.push_back(std::exchange(this->Partition, std::move(partition)));
   this->LastSignature = 0;
   this->Stale = true;
 }
@@ -104,13 +105,14 @@ bool ShadowPipeline::SetContext(vtkOpenGLRenderWindow* window)
     return false;
   }
   const bool same = this->IsOf(window);
-  if (same && !this->Stale)
-  {
-    return true;
-  }
   if (!same)
   {
     this->Abandon();
+  }
+  this->ReleaseRetired();
+  if (same && !this->Stale)
+  {
+    return true;
   }
   this->Stale = false;
   this->Window = window;
@@ -252,8 +254,22 @@ glm::dvec2 ShadowPipeline::ReadMaximumEffectiveResolution(int layer) const
   return share * warp.ReadGreatestDensity(layer) * glm::dvec2(this->Table.GetMapSize());
 }
 
+void ShadowPipeline::ReleaseRetired()
+{
+  for (const auto& stage : this->Retired)
+  {
+    stage->Release();
+  }
+  this->Retired.clear();
+}
+
 void ShadowPipeline::Abandon()
 {
+  for (const auto& stage : this->Retired)
+  {
+    stage->Abandon();
+  }
+  this->Retired.clear();
   this->Warp->Abandon();
   if (this->Source && this->OwnsShared)
   {
@@ -291,6 +307,7 @@ void ShadowPipeline::Release(vtkOpenGLRenderWindow* window)
     return;
   }
   window->MakeCurrent();
+  this->ReleaseRetired();
   this->Warp->Release();
   if (this->Source && this->OwnsShared)
   {

@@ -10,6 +10,7 @@
 #include "Frame/rtwView.h"
 #include "Frame/rtwViewSampler.h"
 #include "GL/rtwCapabilities.h"
+#include "GL/rtwResourceOwner.h"
 #include "GL/rtwStageTimers.h"
 #include "Inspect/rtwDebugStage.h"
 #include "Inspect/rtwErrorPrediction.h"
@@ -173,6 +174,7 @@ private:
   Turning TurningOf(const PipelineOptions& options) const;
   bool HasUniformTable() const { return this->Can.FastUniforms && this->Table.FitsUniforms(); }
   void Abandon();
+  void ReleaseRetired();
   void PlaceReceivers(ReceiverUniforms& uniforms) const;
   static View FrameView(const View& view, const FrameScene& scene);
   LightFrame MakeFrame(const FrameScene& scene, const ShadowLight& light, double turn) const;
@@ -246,6 +248,9 @@ private:
   std::unique_ptr<PartitionStage> Partition;
   std::shared_ptr<MaskSource> Source; ///< none where maps fill the mask
   std::string SourceProblem;
+  /// Stages that others have replaced, for their context to be current again. They are run no more:
+  /// who answered for their settings may be gone.
+  std::vector<std::shared_ptr<ResourceOwner>> Retired;
   bool MaskedBySource = false;
   bool Incomplete = false;
   bool HasMaps = false; ///< of the last frame

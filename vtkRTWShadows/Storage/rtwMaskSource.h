@@ -5,6 +5,7 @@
 #define rtwMaskSource_h
 
 #include "Frame/rtwView.h"
+#include "GL/rtwResourceOwner.h"
 #include "Layers/rtwLayerTable.h"
 #include "LightPass/rtwCasterLayer.h"
 #include "Lookup/rtwReceiverShader.h"
@@ -40,10 +41,9 @@ struct MaskJob
   bool Cull;
 };
 
-class MaskSource
+class MaskSource : public ResourceOwner
 {
 public:
-  virtual ~MaskSource() = default;
   /// Compiles; false, with the reason in GetLog(), where the driver can't.
   virtual bool Build(const MaskJob& job) = 0;
   virtual std::string GetLog() const = 0;
@@ -63,8 +63,6 @@ public:
   /// Clusters of a light in the last frame. Waits for the GPU.
   virtual CasterCounts ReadCounts(int light) const = 0;
   virtual std::size_t GetMemory() const = 0;
-  virtual void Release() = 0;
-  virtual void Abandon() = 0;
 };
 }
 

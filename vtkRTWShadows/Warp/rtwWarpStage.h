@@ -6,6 +6,7 @@
 #ifndef rtwWarpStage_h
 #define rtwWarpStage_h
 
+#include "GL/rtwResourceOwner.h"
 #include "Light/rtwLightFrame.h"
 
 #include <glm/glm.hpp>
@@ -50,10 +51,9 @@ struct WarpFrame
   int OtherLayers;        ///< how far behind a layer the one is that shares its focus; 0 if none is
 };
 
-class WarpStage
+class WarpStage : public ResourceOwner
 {
 public:
-  virtual ~WarpStage() = default;
   virtual WarpShape GetShape() const = 0;
   virtual bool NeedsViewSamples() const = 0;
   virtual int GetCells() const = 0; ///< of a warping function
@@ -83,8 +83,6 @@ public:
   /// Of a warp that isn't separable, of each line's cells, line by line. Empty for a layer that
   /// there isn't, and where the warp goes by none. From what Run() filled. Waits for the GPU.
   virtual std::vector<float> ReadImportance(int, const LayerTable&) const { return {}; }
-  virtual void Release() = 0;
-  virtual void Abandon() = 0;
 };
 }
 

@@ -30,7 +30,8 @@ public:
 
 #ifndef __VTK_WRAP__
   /**
-   * The GPU side of this warp, for one pass. It asks this object for its settings, which has to outlive it.
+   * The GPU side of this warp, for one pass. It asks this object for its settings, which has to
+   * stay as long as it is in use.
    */
   virtual std::unique_ptr<rtw::WarpStage> MakeStage() = 0;
 #endif
