@@ -58,8 +58,7 @@ public:
   {
     return this->Whole->ReadGreatestDensity(layer);
   }
-  void Release() override { this->Whole->Release(); }
-  void Abandon() override { this->Whole->Abandon(); }
+  void Dispose(rtw::Disposal dispose) override { dispose(*this->Whole); }
 
 private:
   std::unique_ptr<rtw::WarpStage> Whole;

@@ -288,22 +288,9 @@ std::size_t GeometryStore::GetMemory() const
     this->Draws.GetSize();
 }
 
-void GeometryStore::Release()
+void GeometryStore::Dispose(Disposal dispose)
 {
-  for (Buffer* buffer : { &this->Points, &this->Indices, &this->Clusters, &this->Draws })
-  {
-    buffer->Release();
-  }
-  this->Thick.Release();
-  this->Abandon();
-}
-
-void GeometryStore::Abandon()
-{
-  for (Buffer* buffer : { &this->Points, &this->Indices, &this->Clusters, &this->Draws })
-  {
-    buffer->Abandon();
-  }
+  dispose(this->Points, this->Indices, this->Clusters, this->Draws, this->Thick);
   this->PointRanges.Clear();
   this->IndexRanges.Clear();
   this->ClusterRanges.Clear();
@@ -312,7 +299,6 @@ void GeometryStore::Abandon()
   this->InstanceMeshes.clear();
   this->ThinDraws.clear();
   this->Listed.clear();
-  this->Thick.Abandon();
   this->Faced.reset();
   this->ThickRuns.clear();
   this->ThickIndices.reset();

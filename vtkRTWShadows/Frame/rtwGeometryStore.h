@@ -9,6 +9,7 @@
 #include "Frame/rtwThickPrimitives.h"
 #include "GL/rtwBuffer.h"
 #include "GL/rtwDrawing.h"
+#include "GL/rtwResources.h"
 
 #include <array>
 #include <cstdint>
@@ -74,8 +75,7 @@ public:
   const Buffer& GetClusters() const { return this->Clusters; }
   const Buffer& GetDraws() const { return this->Draws; }
   std::size_t GetMemory() const;
-  void Release();
-  void Abandon();
+  void Dispose(Disposal dispose);
 
 private:
   struct Mesh

@@ -15,15 +15,9 @@ bool LastFrame::Resembles(const View& view, double sceneSize) const
   return this->Signature != 0 && rtw::Resembles(view, this->Viewed, sceneSize);
 }
 
-void LastFrame::Release()
+void LastFrame::Dispose(Disposal dispose)
 {
-  this->Depth.Release();
-  this->Forget();
-}
-
-void LastFrame::Abandon()
-{
-  this->Depth.Abandon();
+  dispose(this->Depth);
   this->Forget();
 }
 }

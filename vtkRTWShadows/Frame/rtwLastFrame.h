@@ -4,6 +4,7 @@
 #define rtwLastFrame_h
 
 #include "Frame/rtwView.h"
+#include "GL/rtwResources.h"
 #include "GL/rtwTexture.h"
 
 #include <cstdint>
@@ -24,8 +25,7 @@ public:
   std::uint64_t GetSignature() const { return this->Signature; }
   const View& GetView() const { return this->Viewed; }
   const Texture& GetDepth() const { return this->Depth; }
-  void Release();
-  void Abandon();
+  void Dispose(Disposal dispose);
 
 private:
   View Viewed;

@@ -306,23 +306,9 @@ std::size_t ThickPrimitives::GetMemory() const
     this->Runnings.GetSize();
 }
 
-void ThickPrimitives::Release()
+void ThickPrimitives::Dispose(Disposal dispose)
 {
-  this->Facing.Release();
-  for (Buffer* buffer : this->Buffers())
-  {
-    buffer->Release();
-  }
-  this->Abandon();
-}
-
-void ThickPrimitives::Abandon()
-{
-  this->Facing.Abandon();
-  for (Buffer* buffer : this->Buffers())
-  {
-    buffer->Abandon();
-  }
+  dispose(this->Facing, this->Buffers());
   this->Meshes.clear();
   this->Placed.clear();
   this->Runs.clear();

@@ -8,6 +8,7 @@
 #include "Frame/rtwThickData.h"
 #include "GL/rtwBuffer.h"
 #include "GL/rtwProgram.h"
+#include "GL/rtwResources.h"
 
 #include <glm/glm.hpp>
 
@@ -68,8 +69,7 @@ public:
   void Face(const glm::dvec4& light, const ThickPlace& place, const Buffer& points,
     const Buffer& clusters);
   std::size_t GetMemory() const;
-  void Release();
-  void Abandon();
+  void Dispose(Disposal dispose);
 
 private:
   using Key = std::tuple<vtkPolyData*, ThickLook::Shape, bool>;

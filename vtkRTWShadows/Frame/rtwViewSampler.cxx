@@ -235,41 +235,10 @@ std::size_t ViewSampler::GetMemory() const
     this->Resampled.GetMemory();
 }
 
-void ViewSampler::Release()
+void ViewSampler::Dispose(Disposal dispose)
 {
-  this->Depth.Release();
-  this->Samples.Release();
-  this->Resampled.Release();
-  this->Many.Release();
-  this->Resampling.Release();
-  this->Resolving.Release();
-  this->ScreenTarget.Release();
-  this->Target.Release();
-  this->Culling.Release();
-  this->Drawing.Release();
-  this->Matrices.Release();
-  this->Commands.Release();
-  this->Array.Release();
-  this->Priming.Release();
-  this->Triangle.Release();
-}
-
-void ViewSampler::Abandon()
-{
-  this->Depth.Abandon();
-  this->Samples.Abandon();
-  this->Resampled.Abandon();
-  this->Many.Abandon();
-  this->Resampling.Abandon();
-  this->Resolving.Abandon();
-  this->ScreenTarget.Abandon();
-  this->Target.Abandon();
-  this->Culling.Abandon();
-  this->Drawing.Abandon();
-  this->Matrices.Abandon();
-  this->Commands.Abandon();
-  this->Array.Abandon();
-  this->Priming.Abandon();
-  this->Triangle.Abandon();
+  dispose(this->Depth, this->Samples, this->Resampled, this->Many, this->Resampling,
+    this->Resolving, this->ScreenTarget, this->Target, this->Culling, this->Drawing, this->Matrices,
+    this->Commands, this->Array, this->Priming, this->Triangle);
 }
 }

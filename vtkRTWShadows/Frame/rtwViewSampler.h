@@ -9,6 +9,7 @@
 #include "GL/rtwDrawing.h"
 #include "GL/rtwFramebuffer.h"
 #include "GL/rtwProgram.h"
+#include "GL/rtwResources.h"
 #include "GL/rtwTexture.h"
 
 #include <vector>
@@ -50,8 +51,7 @@ public:
   int GetWidth() const { return this->Current->GetWidth(); }
   int GetHeight() const { return this->Current->GetHeight(); }
   std::size_t GetMemory() const;
-  void Release();
-  void Abandon();
+  void Dispose(Disposal dispose);
 
 private:
   void Allocate(int samples);

@@ -18,7 +18,7 @@ set(rtw_room_GL
   GL/rtwProgram.h
   GL/rtwReadback.cxx
   GL/rtwReadback.h
-  GL/rtwResourceOwner.h
+  GL/rtwResources.h
   GL/rtwScreenVS.glsl
   GL/rtwStageTimers.cxx
   GL/rtwStageTimers.h

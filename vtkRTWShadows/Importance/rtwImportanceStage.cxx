@@ -270,15 +270,8 @@ void ImportanceStage::Collect(const AnalysisInput& input, int layer) const
   input.Blocks.Dispatch(*this->Analysing, input.Samples, input.Stride, layer);
 }
 
-void ImportanceStage::Release()
+void ImportanceStage::Dispose(Disposal dispose)
 {
-  this->Analysing->Release();
-  this->Profile.Release();
-}
-
-void ImportanceStage::Abandon()
-{
-  this->Analysing->Abandon();
-  this->Profile.Abandon();
+  dispose(*this->Analysing, this->Profile);
 }
 }

@@ -6,6 +6,7 @@
 
 #include "GL/rtwBuffer.h"
 #include "GL/rtwProgram.h"
+#include "GL/rtwResources.h"
 #include "Light/rtwLightFrame.h"
 
 #include <functional>
@@ -82,8 +83,7 @@ public:
   int GetProfiles() const { return this->InForce.Profiles; } ///< 2: plain, and at shadow edges
   Collected GetCollected() const { return this->Holds; }
   double GetUnit() const; ///< of sums
-  void Release();
-  void Abandon();
+  void Dispose(Disposal dispose);
 
 private:
   enum class Edges

@@ -99,19 +99,8 @@ bool DebugStage::Measure(const MapOfLight& map, Texture& error)
   return true;
 }
 
-void DebugStage::Release()
+void DebugStage::Dispose(Disposal dispose)
 {
-  this->Painting.Release();
-  this->Measuring.Release();
-  this->Target.Release();
-  this->Triangle.Release();
-}
-
-void DebugStage::Abandon()
-{
-  this->Painting.Abandon();
-  this->Measuring.Abandon();
-  this->Target.Abandon();
-  this->Triangle.Abandon();
+  dispose(this->Painting, this->Measuring, this->Target, this->Triangle);
 }
 }

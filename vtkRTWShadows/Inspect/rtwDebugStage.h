@@ -6,6 +6,7 @@
 #include "GL/rtwDrawing.h"
 #include "GL/rtwFramebuffer.h"
 #include "GL/rtwProgram.h"
+#include "GL/rtwResources.h"
 #include "Lookup/rtwMapOfLight.h"
 #include "Warp/rtwWarpStage.h"
 
@@ -40,8 +41,7 @@ public:
   /// The aliasing error along s and t into a texture of two floats; false where that can't be drawn
   /// into.
   bool Measure(const MapOfLight& map, Texture& error);
-  void Release();
-  void Abandon();
+  void Dispose(Disposal dispose);
 
 private:
   const char* Warp = nullptr; ///< that is compiled

@@ -100,21 +100,8 @@ double ErrorPrediction::Predict(const DrawnShadows& shadows, const ReceiverShape
   return possible ? this->Sum() : -1.0;
 }
 
-void ErrorPrediction::Release()
+void ErrorPrediction::Dispose(Disposal dispose)
 {
-  this->Adding.Release();
-  this->Own.Release();
-  this->Sums.Release();
-  this->Target.Release();
-  this->Triangle.Release();
-}
-
-void ErrorPrediction::Abandon()
-{
-  this->Adding.Abandon();
-  this->Own.Abandon();
-  this->Sums.Abandon();
-  this->Target.Abandon();
-  this->Triangle.Abandon();
+  dispose(this->Adding, this->Own, this->Sums, this->Target, this->Triangle);
 }
 }

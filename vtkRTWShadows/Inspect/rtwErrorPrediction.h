@@ -5,6 +5,7 @@
 
 #include "GL/rtwFramebuffer.h"
 #include "GL/rtwProgram.h"
+#include "GL/rtwResources.h"
 #include "GL/rtwTexture.h"
 #include "Inspect/rtwDebugStage.h"
 #include "Lookup/rtwMaskStage.h"
@@ -28,8 +29,7 @@ public:
   /// The share of the pixels that face a light whose shadow is wrong; 0 where none does. Waits for
   /// the GPU. Negative where the driver can't.
   double Predict(const DrawnShadows& shadows, const ReceiverShape& shape);
-  void Release();
-  void Abandon();
+  void Dispose(Disposal dispose);
 
 private:
   bool Build(const WarpShape& warp);

@@ -24,17 +24,8 @@ bool DenseLayers::BindTargetAgain(int layer)
   return this->Target.Bind(this->Depths, &this->Gradients, layer);
 }
 
-void DenseLayers::Release()
+void DenseLayers::Dispose(Disposal dispose)
 {
-  this->Depths.Release();
-  this->Gradients.Release();
-  this->Target.Release();
-}
-
-void DenseLayers::Abandon()
-{
-  this->Depths.Abandon();
-  this->Gradients.Abandon();
-  this->Target.Abandon();
+  dispose(this->Depths, this->Gradients, this->Target);
 }
 }

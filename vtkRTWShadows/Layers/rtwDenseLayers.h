@@ -4,6 +4,7 @@
 #define rtwDenseLayers_h
 
 #include "GL/rtwFramebuffer.h"
+#include "GL/rtwResources.h"
 #include "GL/rtwTexture.h"
 
 #include <glm/glm.hpp>
@@ -25,8 +26,7 @@ public:
   glm::ivec2 GetSize() const { return { this->Depths.GetWidth(), this->Depths.GetHeight() }; }
   int GetNumberOfLayers() const { return this->Depths.GetLayers(); }
   std::size_t GetMemory() const { return this->Depths.GetMemory() + this->Gradients.GetMemory(); }
-  void Release();
-  void Abandon();
+  void Dispose(Disposal dispose);
 
 private:
   Texture Depths, Gradients;

@@ -136,23 +136,8 @@ void FocusStage::Reduce(const std::vector<LightFrame>& frames, const std::vector
   }
 }
 
-void FocusStage::Release()
+void FocusStage::Dispose(Disposal dispose)
 {
-  this->Samples.Release();
-  this->BoxAdding.Release();
-  this->Boxes.Release();
-  this->Writing.Release();
-  this->Bounds.Release();
-  this->Blocks.Release();
-}
-
-void FocusStage::Abandon()
-{
-  this->Samples.Abandon();
-  this->BoxAdding.Abandon();
-  this->Boxes.Abandon();
-  this->Writing.Abandon();
-  this->Bounds.Abandon();
-  this->Blocks.Abandon();
+  dispose(this->Samples, this->BoxAdding, this->Boxes, this->Writing, this->Bounds, this->Blocks);
 }
 }

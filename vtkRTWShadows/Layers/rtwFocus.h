@@ -5,6 +5,7 @@
 
 #include "GL/rtwBuffer.h"
 #include "GL/rtwProgram.h"
+#include "GL/rtwResources.h"
 #include "Layers/rtwLayerBlocks.h"
 #include "Layers/rtwSampleBounds.h"
 #include "Light/rtwLightFrame.h"
@@ -44,8 +45,7 @@ public:
   /// Samples are others by now.
   void ForgetBlocks() { this->Blocks.Forget(); }
   std::size_t GetMemory() const { return this->Samples.GetMemory() + this->Blocks.GetMemory(); }
-  void Release();
-  void Abandon();
+  void Dispose(Disposal dispose);
 
 private:
   void AddBoxes(const std::vector<LightFrame>& frames, const std::vector<glm::dvec3>& corners,

@@ -67,15 +67,9 @@ void LayerBlocks::Dispatch(
   DispatchIndirect(this->Lists, sizeof(std::uint32_t) * HeaderLength * layer);
 }
 
-void LayerBlocks::Release()
+void LayerBlocks::Dispose(Disposal dispose)
 {
-  this->Lists.Release();
-  this->Forget();
-}
-
-void LayerBlocks::Abandon()
-{
-  this->Lists.Abandon();
+  dispose(this->Lists);
   this->Forget();
 }
 }

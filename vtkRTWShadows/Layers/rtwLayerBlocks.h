@@ -5,6 +5,7 @@
 #define rtwLayerBlocks_h
 
 #include "GL/rtwBuffer.h"
+#include "GL/rtwResources.h"
 
 namespace rtw
 {
@@ -25,8 +26,7 @@ public:
   /// Runs a program, which is in use, for the samples of a layer or, below 0, for all.
   void Dispatch(const Program& program, const ViewSampler& samples, int stride, int layer) const;
   std::size_t GetMemory() const { return this->Lists.GetSize(); }
-  void Release();
-  void Abandon();
+  void Dispose(Disposal dispose);
 
 private:
   bool Holds(const ViewSampler& samples, int stride, int layer) const;

@@ -229,17 +229,8 @@ std::vector<float> LayerTable::ReadGrid(int layer) const
   return { values.begin() + 2 * first, values.end() };
 }
 
-void LayerTable::Release()
+void LayerTable::Dispose(Disposal dispose)
 {
-  this->Table.Release();
-  this->Bends.Release();
-  this->Grid.Release();
-}
-
-void LayerTable::Abandon()
-{
-  this->Table.Abandon();
-  this->Bends.Abandon();
-  this->Grid.Abandon();
+  dispose(this->Table, this->Bends, this->Grid);
 }
 }

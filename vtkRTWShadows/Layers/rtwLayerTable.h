@@ -4,6 +4,7 @@
 #ifndef rtwLayerTable_h
 #define rtwLayerTable_h
 
+#include "GL/rtwResources.h"
 #include "GL/rtwTexelBuffer.h"
 #include "Light/rtwLightFrame.h"
 
@@ -84,8 +85,7 @@ public:
   /// A layer's functions, line by line, each cell's two ends; those along s first. Waits for the
   /// GPU.
   std::vector<float> ReadGrid(int layer) const;
-  void Release();
-  void Abandon();
+  void Dispose(Disposal dispose);
 
 private:
   std::size_t GetBlockBytes() const;

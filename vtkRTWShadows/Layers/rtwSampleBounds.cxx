@@ -120,27 +120,8 @@ void SampleBounds::Unite(const BoundedSamples& input, const LightFrame& frame, i
   }
 }
 
-void SampleBounds::Release()
+void SampleBounds::Dispose(Disposal dispose)
 {
-  for (Program* program : { &this->Bounding, &this->Uniting, &this->Visiting })
-  {
-    program->Release();
-  }
-  for (Buffer* buffer : { &this->Blocks, &this->Range, &this->Visits })
-  {
-    buffer->Release();
-  }
-}
-
-void SampleBounds::Abandon()
-{
-  for (Program* program : { &this->Bounding, &this->Uniting, &this->Visiting })
-  {
-    program->Abandon();
-  }
-  for (Buffer* buffer : { &this->Blocks, &this->Range, &this->Visits })
-  {
-    buffer->Abandon();
-  }
+  dispose(this->Bounding, this->Uniting, this->Visiting, this->Blocks, this->Range, this->Visits);
 }
 }

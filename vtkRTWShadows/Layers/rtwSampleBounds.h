@@ -7,6 +7,7 @@
 
 #include "GL/rtwBuffer.h"
 #include "GL/rtwProgram.h"
+#include "GL/rtwResources.h"
 #include "Light/rtwLightFrame.h"
 
 #include <string>
@@ -46,8 +47,7 @@ public:
   /// of what it reaches: the bits of floats.
   const Buffer& GetRange() const { return this->Range; }
   std::size_t GetMemory() const { return this->Blocks.GetSize() + this->Visits.GetSize(); }
-  void Release();
-  void Abandon();
+  void Dispose(Disposal dispose);
 
 private:
   void Bind(const Program& program, const BoundedSamples& input, const LightFrame& frame,

@@ -26,7 +26,7 @@ void LightTurning::Begin(Turning kind, const void* viewer, const std::vector<Sha
   this->Candidates.clear();
   if (isOther || !this->IsBySamples() || this->Choices.size() > MostViewers)
   {
-    this->Forget();
+    this->Forget(Disposal::Release());
   }
   if (kind == Turning::MinimalFrustum)
   {
@@ -124,25 +124,19 @@ bool LightTurning::Wait()
   return isBetter;
 }
 
-void LightTurning::Forget()
+void LightTurning::Forget(Disposal dispose)
 {
   for (auto& choice : this->Choices)
   {
-    choice.second.Answer.Release();
+    dispose(choice.second.Answer);
   }
   this->Choices.clear();
 }
 
-void LightTurning::Release()
+void LightTurning::Dispose(Disposal dispose)
 {
-  this->Stage.Release();
-  this->Forget();
-}
-
-void LightTurning::Abandon()
-{
-  this->Stage.Abandon();
-  this->Choices.clear();
+  dispose(this->Stage);
+  this->Forget(dispose);
   this->Turns.clear();
   this->Candidates.clear();
 }

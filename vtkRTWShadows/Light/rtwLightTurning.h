@@ -5,6 +5,7 @@
 
 #include "Frame/rtwView.h"
 #include "GL/rtwReadback.h"
+#include "GL/rtwResources.h"
 #include "Light/rtwTurnStage.h"
 
 #include <cstdint>
@@ -49,8 +50,7 @@ public:
   void Ask(const std::vector<TurnedLight>& lights, const TurnInput& input, std::uint64_t signature);
   /// Until that is done; then it counts. Whether there is a better turn.
   bool Wait();
-  void Release();
-  void Abandon();
+  void Dispose(Disposal dispose);
 
 private:
   /// Of a viewer.
@@ -63,7 +63,7 @@ private:
     Readback Answer; ///< the errors of those
   };
   void Take(Choice& choice) const;
-  void Forget();
+  void Forget(Disposal dispose);
 
   TurnStage Stage;
   std::map<const void*, Choice> Choices;

@@ -133,19 +133,8 @@ void TurnStage::Compare(const TurnedLight& light, int first, const TurnInput& in
   Dispatch(static_cast<int>(light.By.size()));
 }
 
-void TurnStage::Release()
+void TurnStage::Dispose(Disposal dispose)
 {
-  this->Listing.Release();
-  this->Comparing.Release();
-  this->Samples.Release();
-  this->Errors.Release();
-}
-
-void TurnStage::Abandon()
-{
-  this->Listing.Abandon();
-  this->Comparing.Abandon();
-  this->Samples.Abandon();
-  this->Errors.Abandon();
+  dispose(this->Listing, this->Comparing, this->Samples, this->Errors);
 }
 }

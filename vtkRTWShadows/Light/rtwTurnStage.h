@@ -6,6 +6,7 @@
 
 #include "GL/rtwBuffer.h"
 #include "GL/rtwProgram.h"
+#include "GL/rtwResources.h"
 #include "Light/rtwLightFrame.h"
 
 #include <string>
@@ -50,8 +51,7 @@ public:
   void List(const LightFrame& frame, int light, const TurnInput& input);
   /// Gives a program that list.
   void BindList(const Program& program) const;
-  void Release();
-  void Abandon();
+  void Dispose(Disposal dispose);
 
 private:
   void Compare(const TurnedLight& light, int first, const TurnInput& input);

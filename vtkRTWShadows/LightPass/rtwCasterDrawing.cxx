@@ -89,12 +89,8 @@ bool CasterDrawing::Build(const WarpShape& warp, TableAccess access)
 {
   if (this->Warp != warp.Name || this->Access != access)
   {
-    for (Program* program : this->Programs())
-    {
-      program->Release();
-    }
-    this->Clusters.Release();
-    this->Tiles.Release();
+    const Disposal dispose = Disposal::Release();
+    dispose(this->Programs(), this->Clusters, this->Tiles);
     this->Warp = warp.Name;
     this->Access = access;
   }
@@ -251,37 +247,9 @@ void CasterDrawing::Draw(const GeometryStore& store, const LayerTable& table,
   }
 }
 
-void CasterDrawing::Release()
+void CasterDrawing::Dispose(Disposal dispose)
 {
-  for (Program* program : this->Programs())
-  {
-    program->Release();
-  }
-  for (Buffer* buffer : this->Buffers())
-  {
-    buffer->Release();
-  }
-  this->Clusters.Release();
-  this->BentCasters.Release();
-  this->Covers.Release();
-  this->Tiles.Release();
-  this->Pulled.Release();
-}
-
-void CasterDrawing::Abandon()
-{
-  for (Program* program : this->Programs())
-  {
-    program->Abandon();
-  }
-  for (Buffer* buffer : this->Buffers())
-  {
-    buffer->Abandon();
-  }
-  this->Clusters.Abandon();
-  this->BentCasters.Abandon();
-  this->Covers.Abandon();
-  this->Tiles.Abandon();
-  this->Pulled.Abandon();
+  dispose(this->Programs(), this->Buffers(), this->Clusters, this->BentCasters, this->Covers,
+    this->Tiles, this->Pulled);
 }
 }

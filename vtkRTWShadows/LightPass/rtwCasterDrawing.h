@@ -7,12 +7,13 @@
 #include "GL/rtwBuffer.h"
 #include "GL/rtwDrawing.h"
 #include "GL/rtwProgram.h"
+#include "GL/rtwResources.h"
 #include "GL/rtwTexelBuffer.h"
 #include "Layers/rtwLayerTable.h"
 #include "Light/rtwLightFrame.h"
 #include "LightPass/Culling/rtwCasterCulling.h"
-#include "LightPass/Tiles/rtwTileCovers.h"
 #include "LightPass/rtwCasterLayer.h"
+#include "LightPass/Tiles/rtwTileCovers.h"
 #include "Warp/rtwWarpStage.h"
 
 #include <array>
@@ -37,8 +38,7 @@ public:
   /// Of a layer in the last frame. Waits for the GPU.
   CasterCounts ReadCounts(int layer) const { return this->Clusters.ReadCounts(layer); }
   std::size_t GetMemory() const;
-  void Release();
-  void Abandon();
+  void Dispose(Disposal dispose);
 
 private:
   std::array<Program*, 7> Programs();

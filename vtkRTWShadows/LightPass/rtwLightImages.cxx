@@ -33,17 +33,8 @@ std::size_t LightImages::GetMemory() const
   return this->Images.GetMemory() + this->Table.GetMemory() + this->Casters.GetMemory();
 }
 
-void LightImages::Release()
+void LightImages::Dispose(Disposal dispose)
 {
-  this->Images.Release();
-  this->Table.Release();
-  this->Casters.Release();
-}
-
-void LightImages::Abandon()
-{
-  this->Images.Abandon();
-  this->Table.Abandon();
-  this->Casters.Abandon();
+  dispose(this->Images, this->Table, this->Casters);
 }
 }

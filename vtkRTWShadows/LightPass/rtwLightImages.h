@@ -4,6 +4,7 @@
 #ifndef rtwLightImages_h
 #define rtwLightImages_h
 
+#include "GL/rtwResources.h"
 #include "Layers/rtwDenseLayers.h"
 #include "Layers/rtwLayerTable.h"
 #include "LightPass/rtwCasterDrawing.h"
@@ -23,8 +24,7 @@ public:
   bool Draw(const GeometryStore& store, const LightFrame& frame, int light, bool cull);
   const DenseLayers& GetImages() const { return this->Images; }
   std::size_t GetMemory() const;
-  void Release();
-  void Abandon();
+  void Dispose(Disposal dispose);
 
 private:
   DenseLayers Images;

@@ -143,27 +143,9 @@ void MaskStage::BindGathered(int light) const
   }
 }
 
-void MaskStage::Release()
+void MaskStage::Dispose(Disposal dispose)
 {
-  this->Drawing.Release();
-  this->Gathering.Release();
-  this->Gathered.Release();
-  this->Mask.Release();
-  this->Bits.Release();
-  this->BitsTarget.Release();
-  this->Target.Release();
-  this->Triangle.Release();
-}
-
-void MaskStage::Abandon()
-{
-  this->Drawing.Abandon();
-  this->Gathering.Abandon();
-  this->Gathered.Abandon();
-  this->Mask.Abandon();
-  this->Bits.Abandon();
-  this->BitsTarget.Abandon();
-  this->Target.Abandon();
-  this->Triangle.Abandon();
+  dispose(this->Drawing, this->Gathering, this->Gathered, this->Mask, this->Bits, this->BitsTarget,
+    this->Target, this->Triangle);
 }
 }

@@ -7,6 +7,7 @@
 #include "GL/rtwDrawing.h"
 #include "GL/rtwFramebuffer.h"
 #include "GL/rtwProgram.h"
+#include "GL/rtwResources.h"
 #include "GL/rtwTexture.h"
 #include "Layers/rtwLayerTable.h"
 #include "Lookup/rtwReceiverShader.h"
@@ -50,8 +51,7 @@ public:
   static void SetLookup(
     const Program& program, const MaskLookup& lookup, int light, int firstLayer);
   const Texture& GetMask() const { return this->Mask; }
-  void Release();
-  void Abandon();
+  void Dispose(Disposal dispose);
 
 private:
   void GatherLayers(const LayerTable& table, int layers);

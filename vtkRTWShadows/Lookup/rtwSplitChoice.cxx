@@ -27,7 +27,7 @@ void SplitChoice::Begin(bool used, const void* viewer, std::uint64_t settings)
 {
   if (!used || settings != this->Settings)
   {
-    this->Forget();
+    this->Forget(Disposal::Release());
   }
   this->Used = used;
   this->Viewer = viewer;
@@ -140,34 +140,19 @@ bool SplitChoice::Wait()
   return this->GetRatio() != before;
 }
 
-void SplitChoice::Forget()
+void SplitChoice::Forget(Disposal dispose)
 {
   for (auto& view : this->Views)
   {
-    view.second.Answer.Release();
+    dispose(view.second.Answer);
   }
   this->Views.clear();
   this->Split.reset();
 }
 
-void SplitChoice::Release()
+void SplitChoice::Dispose(Disposal dispose)
 {
-  this->Edges.Release();
-  this->Comparing.Release();
-  this->Errors.Release();
-  this->Forget();
-}
-
-void SplitChoice::Abandon()
-{
-  this->Edges.Abandon();
-  this->Comparing.Abandon();
-  this->Errors.Abandon();
-  for (auto& view : this->Views)
-  {
-    view.second.Answer.Abandon();
-  }
-  this->Views.clear();
-  this->Split.reset();
+  dispose(this->Edges, this->Comparing, this->Errors);
+  this->Forget(dispose);
 }
 }

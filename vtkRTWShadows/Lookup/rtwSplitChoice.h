@@ -7,6 +7,7 @@
 #include "GL/rtwBuffer.h"
 #include "GL/rtwProgram.h"
 #include "GL/rtwReadback.h"
+#include "GL/rtwResources.h"
 #include "Light/rtwTurnStage.h"
 #include "Warp/rtwWarpStage.h"
 
@@ -38,8 +39,7 @@ public:
   void Ask(const std::vector<MapOfLight>& lights, const TurnInput& input, std::uint64_t signature);
   /// Until that is done; then it counts. Whether there is a better split.
   bool Wait();
-  void Release();
-  void Abandon();
+  void Dispose(Disposal dispose);
 
 private:
   /// Of a viewer.
@@ -53,7 +53,7 @@ private:
   };
   void Take(View& view);
   void Choose();
-  void Forget();
+  void Forget(Disposal dispose);
 
   TurnStage Edges;
   const char* Warp = nullptr; ///< that is compiled

@@ -180,29 +180,9 @@ void DepthSplitStage::Split(const PartitionInput& input, LayerTable& table)
   Dispatch(static_cast<int>(input.Frames.size()));
 }
 
-void DepthSplitStage::Release()
+void DepthSplitStage::Dispose(Disposal dispose)
 {
+  dispose(this->Binning, this->Splitting, this->Writing, this->Bins, this->Splits);
   this->Steady.clear();
-  for (Program* program : { &this->Binning, &this->Splitting, &this->Writing })
-  {
-    program->Release();
-  }
-  for (Buffer* buffer : { &this->Bins, &this->Splits })
-  {
-    buffer->Release();
-  }
-}
-
-void DepthSplitStage::Abandon()
-{
-  this->Steady.clear();
-  for (Program* program : { &this->Binning, &this->Splitting, &this->Writing })
-  {
-    program->Abandon();
-  }
-  for (Buffer* buffer : { &this->Bins, &this->Splits })
-  {
-    buffer->Abandon();
-  }
 }
 }

@@ -42,8 +42,7 @@ public:
   void Split(const PartitionInput& input, LayerTable& table) override;
   std::optional<Rectangle> FocusOf(
     const LightFrame& frame, const PartitionInput& input) const override;
-  void Release() override;
-  void Abandon() override;
+  void Dispose(Disposal dispose) override;
 
 private:
   std::vector<double> FixedBorders(const PartitionInput& input) const;

@@ -5,7 +5,7 @@
 #ifndef rtwPartitionStage_h
 #define rtwPartitionStage_h
 
-#include "GL/rtwResourceOwner.h"
+#include "GL/rtwResources.h"
 #include "Layers/rtwFocus.h"
 #include "Light/rtwLightFrame.h"
 
@@ -68,8 +68,7 @@ public:
   bool Build() override { return true; }
   std::string GetLog() const override { return {}; }
   void Split(const PartitionInput&, LayerTable&) override {}
-  void Release() override {}
-  void Abandon() override {}
+  void Dispose(Disposal) override {}
 };
 }
 

@@ -107,9 +107,9 @@ bool ShadowPipeline::SetContext(vtkOpenGLRenderWindow* window)
   const bool same = this->IsOf(window);
   if (!same)
   {
-    this->Abandon();
+    this->Dispose(Disposal::Abandon());
   }
-  this->ReleaseRetired();
+  this->DisposeOfRetired(Disposal::Release());
   if (same && !this->Stale)
   {
     return true;
@@ -254,46 +254,29 @@ glm::dvec2 ShadowPipeline::ReadMaximumEffectiveResolution(int layer) const
   return share * warp.ReadGreatestDensity(layer) * glm::dvec2(this->Table.GetMapSize());
 }
 
-void ShadowPipeline::ReleaseRetired()
+void ShadowPipeline::DisposeOfRetired(Disposal dispose)
 {
   for (const auto& stage : this->Retired)
   {
-    stage->Release();
+    dispose(*stage);
   }
   this->Retired.clear();
 }
 
-void ShadowPipeline::Abandon()
+void ShadowPipeline::Dispose(Disposal dispose)
 {
-  for (const auto& stage : this->Retired)
-  {
-    stage->Abandon();
-  }
-  this->Retired.clear();
-  this->Warp->Abandon();
+  this->DisposeOfRetired(dispose);
   if (this->Source && this->OwnsShared)
   {
-    this->Source->Abandon();
+    dispose(*this->Source);
   }
-  this->Partition->Abandon();
   if (this->OwnsShared)
   {
-    this->Store.Abandon();
+    dispose(this->Store);
   }
-  this->Last.Abandon();
-  this->Turns.Abandon();
-  this->Splits.Abandon();
-  this->Sampler.Abandon();
-  this->Focus.Abandon();
-  this->Casters.Abandon();
-  this->Deepest.Abandon();
-  this->Images.Abandon();
-  this->Masking.Abandon();
-  this->Debugging.Abandon();
-  this->Prediction.Abandon();
-  this->Layers.Abandon();
-  this->Table.Abandon();
-  this->Timers.Abandon();
+  dispose(*this->Warp, *this->Partition, this->Last, this->Turns, this->Splits, this->Sampler,
+    this->Focus, this->Casters, this->Deepest, this->Images, this->Masking, this->Debugging,
+    this->Prediction, this->Layers, this->Table, this->Timers);
   this->Frames.clear();
   this->LayerFrames.clear();
   this->LastSignature = 0;
@@ -307,32 +290,7 @@ void ShadowPipeline::Release(vtkOpenGLRenderWindow* window)
     return;
   }
   window->MakeCurrent();
-  this->ReleaseRetired();
-  this->Warp->Release();
-  if (this->Source && this->OwnsShared)
-  {
-    this->Source->Release();
-  }
-  this->Partition->Release();
-  if (this->OwnsShared)
-  {
-    this->Store.Release();
-  }
-  this->Last.Release();
-  this->Turns.Release();
-  this->Splits.Release();
-  this->Sampler.Release();
-  this->Focus.Release();
-  this->Casters.Release();
-  this->Deepest.Release();
-  this->Images.Release();
-  this->Masking.Release();
-  this->Debugging.Release();
-  this->Prediction.Release();
-  this->Layers.Release();
-  this->Table.Release();
-  this->Timers.Release();
-  this->Abandon();
+  this->Dispose(Disposal::Release());
   this->Window = nullptr;
   this->ContextTime = 0;
 }

@@ -10,7 +10,7 @@
 #include "Frame/rtwView.h"
 #include "Frame/rtwViewSampler.h"
 #include "GL/rtwCapabilities.h"
-#include "GL/rtwResourceOwner.h"
+#include "GL/rtwResources.h"
 #include "GL/rtwStageTimers.h"
 #include "Inspect/rtwDebugStage.h"
 #include "Inspect/rtwErrorPrediction.h"
@@ -173,8 +173,8 @@ private:
   bool Build();
   Turning TurningOf(const PipelineOptions& options) const;
   bool HasUniformTable() const { return this->Can.FastUniforms && this->Table.FitsUniforms(); }
-  void Abandon();
-  void ReleaseRetired();
+  void Dispose(Disposal dispose);
+  void DisposeOfRetired(Disposal dispose);
   void PlaceReceivers(ReceiverUniforms& uniforms) const;
   static View FrameView(const View& view, const FrameScene& scene);
   LightFrame MakeFrame(const FrameScene& scene, const ShadowLight& light, double turn) const;

@@ -5,7 +5,7 @@
 #define rtwMaskSource_h
 
 #include "Frame/rtwView.h"
-#include "GL/rtwResourceOwner.h"
+#include "GL/rtwResources.h"
 #include "Layers/rtwLayerTable.h"
 #include "LightPass/rtwCasterLayer.h"
 #include "Lookup/rtwReceiverShader.h"

@@ -6,7 +6,7 @@
 #ifndef rtwWarpStage_h
 #define rtwWarpStage_h
 
-#include "GL/rtwResourceOwner.h"
+#include "GL/rtwResources.h"
 #include "Light/rtwLightFrame.h"
 
 #include <glm/glm.hpp>

@@ -105,27 +105,8 @@ CasterCounts CasterCulling::ReadCounts(int layer) const
   return counts;
 }
 
-void CasterCulling::Release()
+void CasterCulling::Dispose(Disposal dispose)
 {
-  for (Program* program : this->Programs())
-  {
-    program->Release();
-  }
-  for (Buffer* buffer : this->Buffers())
-  {
-    buffer->Release();
-  }
-}
-
-void CasterCulling::Abandon()
-{
-  for (Program* program : this->Programs())
-  {
-    program->Abandon();
-  }
-  for (Buffer* buffer : this->Buffers())
-  {
-    buffer->Abandon();
-  }
+  dispose(this->Programs(), this->Buffers());
 }
 }

@@ -6,6 +6,7 @@
 
 #include "GL/rtwBuffer.h"
 #include "GL/rtwProgram.h"
+#include "GL/rtwResources.h"
 #include "Layers/rtwLayerTable.h"
 #include "LightPass/rtwCasterLayer.h"
 #include "Warp/rtwWarpStage.h"
@@ -33,8 +34,7 @@ public:
   /// Of a layer in the last frame. Waits for the GPU.
   CasterCounts ReadCounts(int layer) const;
   std::size_t GetMemory() const;
-  void Release();
-  void Abandon();
+  void Dispose(Disposal dispose);
 
 private:
   std::array<Program*, 3> Programs() { return { &this->Focusing, &this->Culling, &this->Listing }; }

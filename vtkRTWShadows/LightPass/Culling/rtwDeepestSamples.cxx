@@ -87,17 +87,8 @@ void DeepestSamples::Bind(const Program& program, const DeepestSamples* found)
   }
 }
 
-void DeepestSamples::Release()
+void DeepestSamples::Dispose(Disposal dispose)
 {
-  this->Marking.Release();
-  this->Reducing.Release();
-  this->Deepest.Release();
-}
-
-void DeepestSamples::Abandon()
-{
-  this->Marking.Abandon();
-  this->Reducing.Abandon();
-  this->Deepest.Abandon();
+  dispose(this->Marking, this->Reducing, this->Deepest);
 }
 }

@@ -5,6 +5,7 @@
 #define rtwDeepestSamples_h
 
 #include "GL/rtwProgram.h"
+#include "GL/rtwResources.h"
 #include "GL/rtwTexelBuffer.h"
 #include "Light/rtwLightFrame.h"
 #include "Warp/rtwWarpStage.h"
@@ -28,8 +29,7 @@ public:
   /// Gives a program with rtwDeepestIn.glsl what was found; with none receivers may be anywhere.
   static void Bind(const Program& program, const DeepestSamples* found);
   std::size_t GetMemory() const { return this->Deepest.GetMemory(); }
-  void Release();
-  void Abandon();
+  void Dispose(Disposal dispose);
 
 private:
   std::string Warp;

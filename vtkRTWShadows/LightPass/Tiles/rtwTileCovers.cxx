@@ -95,25 +95,9 @@ void TileCovers::DrawPoints(const std::function<void(const Program&)>& prepare)
   this->Points.DrawIndirect(Primitive::Points, this->Tiles, PointDrawOffset, 1, 16);
 }
 
-void TileCovers::Release()
+void TileCovers::Dispose(Disposal dispose)
 {
-  for (Program* program :
-    { &this->Starting, &this->Planning, &this->Dividing, &this->Taking, &this->Drawing })
-  {
-    program->Release();
-  }
-  this->Tiles.Release();
-  this->Points.Release();
-}
-
-void TileCovers::Abandon()
-{
-  for (Program* program :
-    { &this->Starting, &this->Planning, &this->Dividing, &this->Taking, &this->Drawing })
-  {
-    program->Abandon();
-  }
-  this->Tiles.Abandon();
-  this->Points.Abandon();
+  dispose(this->Starting, this->Planning, this->Dividing, this->Taking, this->Drawing, this->Tiles,
+    this->Points);
 }
 }

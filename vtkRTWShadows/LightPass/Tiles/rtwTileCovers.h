@@ -6,6 +6,7 @@
 #include "GL/rtwBuffer.h"
 #include "GL/rtwDrawing.h"
 #include "GL/rtwProgram.h"
+#include "GL/rtwResources.h"
 #include "Layers/rtwLayerTable.h"
 #include "Warp/rtwWarpStage.h"
 
@@ -33,8 +34,7 @@ public:
   /// Those of the covers that are points; the others are in the first cluster's draw.
   void DrawPoints(const std::function<void(const Program&)>& prepare);
   std::size_t GetMemory() const { return this->Tiles.GetSize(); }
-  void Release();
-  void Abandon();
+  void Dispose(Disposal dispose);
 
 private:
   Program Starting, Planning, Dividing, Taking, Drawing;

@@ -249,29 +249,8 @@ std::size_t ExactCasting::GetMemory() const
   return memory;
 }
 
-void ExactCasting::Release()
+void ExactCasting::Dispose(Disposal dispose)
 {
-  for (Program* program : this->Programs())
-  {
-    program->Release();
-  }
-  for (Buffer* buffer : this->Buffers())
-  {
-    buffer->Release();
-  }
-  this->Flag.Release();
-}
-
-void ExactCasting::Abandon()
-{
-  for (Program* program : this->Programs())
-  {
-    program->Abandon();
-  }
-  for (Buffer* buffer : this->Buffers())
-  {
-    buffer->Abandon();
-  }
-  this->Flag.Abandon();
+  dispose(this->Programs(), this->Buffers(), this->Flag);
 }
 }

@@ -8,6 +8,7 @@
 #include "GL/rtwBuffer.h"
 #include "GL/rtwProgram.h"
 #include "GL/rtwReadback.h"
+#include "GL/rtwResources.h"
 #include "Layers/rtwLayerTable.h"
 #include "LightPass/rtwCasterLayer.h"
 #include "Warp/rtwWarpStage.h"
@@ -56,8 +57,7 @@ public:
   /// Clusters of a layer in the last frame. Waits for the GPU.
   CasterCounts ReadCounts(int layer) const;
   std::size_t GetMemory() const;
-  void Release();
-  void Abandon();
+  void Dispose(Disposal dispose);
 
 private:
   std::array<Program*, 4> Programs();

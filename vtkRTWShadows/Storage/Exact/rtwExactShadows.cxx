@@ -206,27 +206,9 @@ std::size_t ExactShadows::GetMemory() const
   return this->Grid.GetMemory() + this->Casting.GetMemory();
 }
 
-void ExactShadows::Release()
+void ExactShadows::Dispose(Disposal dispose)
 {
-  this->Grid.Release();
-  this->Casting.Release();
-  this->Resolving.Release();
-  this->Separating.Release();
-  this->Failing.Release();
-  this->Painting.Release();
-  this->Incomplete.Release();
-  this->Triangle.Release();
-}
-
-void ExactShadows::Abandon()
-{
-  this->Grid.Abandon();
-  this->Casting.Abandon();
-  this->Resolving.Abandon();
-  this->Separating.Abandon();
-  this->Failing.Abandon();
-  this->Painting.Abandon();
-  this->Incomplete.Abandon();
-  this->Triangle.Abandon();
+  dispose(this->Grid, this->Casting, this->Resolving, this->Separating, this->Failing,
+    this->Painting, this->Incomplete, this->Triangle);
 }
 }

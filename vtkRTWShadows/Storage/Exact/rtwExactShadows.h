@@ -27,8 +27,7 @@ public:
   std::uint64_t GetSignature() const override;
   CasterCounts ReadCounts(int light) const override { return this->Casting.ReadCounts(light); }
   std::size_t GetMemory() const override;
-  void Release() override;
-  void Abandon() override;
+  void Dispose(Disposal dispose) override;
 
   void SetSamplesAPixel(int samples) { this->SamplesAPixel = samples; }
   /// Of the queue, in bytes.

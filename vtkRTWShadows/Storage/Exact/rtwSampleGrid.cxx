@@ -307,27 +307,8 @@ std::size_t SampleGrid::GetMemory() const
   return memory;
 }
 
-void SampleGrid::Release()
+void SampleGrid::Dispose(Disposal dispose)
 {
-  for (Program* program : this->Programs())
-  {
-    program->Release();
-  }
-  for (Buffer* buffer : this->Buffers())
-  {
-    buffer->Release();
-  }
-}
-
-void SampleGrid::Abandon()
-{
-  for (Program* program : this->Programs())
-  {
-    program->Abandon();
-  }
-  for (Buffer* buffer : this->Buffers())
-  {
-    buffer->Abandon();
-  }
+  dispose(this->Programs(), this->Buffers());
 }
 }

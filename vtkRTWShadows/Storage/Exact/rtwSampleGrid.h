@@ -6,6 +6,7 @@
 
 #include "GL/rtwBuffer.h"
 #include "GL/rtwProgram.h"
+#include "GL/rtwResources.h"
 #include "Layers/rtwLayerTable.h"
 #include "Warp/rtwWarpStage.h"
 
@@ -78,8 +79,7 @@ public:
   /// The number of samples on each texel, row by row, of a grid of so many texels a side. Likewise.
   std::vector<unsigned int> ReadCounts(int resolution) const;
   std::size_t GetMemory() const;
-  void Release();
-  void Abandon();
+  void Dispose(Disposal dispose);
 
 private:
   std::array<Program*, 4> Programs();

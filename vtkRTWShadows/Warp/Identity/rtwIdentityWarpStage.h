@@ -17,8 +17,7 @@ public:
   std::string GetLog() const override { return {}; }
   void Run(const std::vector<LightFrame>&, const AnalysisInput&, const LayerTable&) override {}
   glm::dvec2 ReadGreatestDensity(int) const override { return glm::dvec2(1); }
-  void Release() override {}
-  void Abandon() override {}
+  void Dispose(Disposal) override {}
 };
 }
 

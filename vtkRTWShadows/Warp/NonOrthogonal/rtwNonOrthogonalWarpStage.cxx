@@ -335,39 +335,12 @@ std::vector<float> NonOrthogonalWarpStage::ReadImportance(int layer, const Layer
   return values;
 }
 
-void NonOrthogonalWarpStage::Release()
+void NonOrthogonalWarpStage::Dispose(Disposal dispose)
 {
-  for (Program* program : { &this->Counting, &this->CollectingDemand, &this->SmoothingFirst,
-         &this->Smoothing, &this->Coarsening, &this->Costing, &this->Choosing, &this->Building,
-         &this->Inverting, &this->Levelling, &this->Tiling })
-  {
-    program->Release();
-  }
-  this->Collected.Release();
-  this->Smoothed.Release();
-  this->Coarse.Release();
-  this->Costs.Release();
-  this->Radius.Release();
-  this->Report.Release();
-  this->Totals.Release();
-  this->Layers = 0;
-}
-
-void NonOrthogonalWarpStage::Abandon()
-{
-  for (Program* program : { &this->Counting, &this->CollectingDemand, &this->SmoothingFirst,
-         &this->Smoothing, &this->Coarsening, &this->Costing, &this->Choosing, &this->Building,
-         &this->Inverting, &this->Levelling, &this->Tiling })
-  {
-    program->Abandon();
-  }
-  this->Collected.Abandon();
-  this->Smoothed.Abandon();
-  this->Coarse.Abandon();
-  this->Costs.Abandon();
-  this->Radius.Abandon();
-  this->Report.Abandon();
-  this->Totals.Abandon();
+  dispose(this->Counting, this->CollectingDemand, this->SmoothingFirst, this->Smoothing,
+    this->Coarsening, this->Costing, this->Choosing, this->Building, this->Inverting,
+    this->Levelling, this->Tiling, this->Collected, this->Smoothed, this->Coarse, this->Costs,
+    this->Radius, this->Report, this->Totals);
   this->Layers = 0;
 }
 }

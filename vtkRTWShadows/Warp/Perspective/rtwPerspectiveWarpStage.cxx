@@ -174,26 +174,9 @@ glm::dvec2 PerspectiveWarpStage::ReadGreatestDensity(int layer) const
   return density;
 }
 
-void PerspectiveWarpStage::Release()
+void PerspectiveWarpStage::Dispose(Disposal dispose)
 {
-  this->Looking.Release();
-  this->Bounding.Release();
-  this->Building.Release();
-  this->Nearest.Release();
-  this->Bounds.Release();
-  this->Report.Release();
-  this->Ratio.Forget();
-  this->Layers = 0;
-}
-
-void PerspectiveWarpStage::Abandon()
-{
-  this->Looking.Abandon();
-  this->Bounding.Abandon();
-  this->Building.Abandon();
-  this->Nearest.Abandon();
-  this->Bounds.Abandon();
-  this->Report.Abandon();
+  dispose(this->Looking, this->Bounding, this->Building, this->Nearest, this->Bounds, this->Report);
   this->Ratio.Forget();
   this->Layers = 0;
 }

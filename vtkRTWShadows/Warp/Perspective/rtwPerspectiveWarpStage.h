@@ -51,8 +51,7 @@ public:
   void Run(const std::vector<LightFrame>& frames, const AnalysisInput& input,
     const LayerTable& table) override;
   glm::dvec2 ReadGreatestDensity(int layer) const override;
-  void Release() override;
-  void Abandon() override;
+  void Dispose(Disposal dispose) override;
 
 private:
   void FindNearest(const LightFrame& frame, int layer, const AnalysisInput& input,

@@ -149,27 +149,10 @@ std::vector<float> RectilinearWarpStage::ReadImportance(int layer, const LayerTa
   return values;
 }
 
-void RectilinearWarpStage::Release()
+void RectilinearWarpStage::Dispose(Disposal dispose)
 {
-  this->Importance.Release();
-  this->Building.Release();
-  this->FocusSnapping.Release();
-  this->History.Release();
-  this->InUse.Release();
-  this->Report.Release();
-  this->Profiles.Release();
-  this->Layers = 0;
-}
-
-void RectilinearWarpStage::Abandon()
-{
-  this->Importance.Abandon();
-  this->Building.Abandon();
-  this->FocusSnapping.Abandon();
-  this->History.Abandon();
-  this->InUse.Abandon();
-  this->Report.Abandon();
-  this->Profiles.Abandon();
+  dispose(this->Importance, this->Building, this->FocusSnapping, this->History, this->InUse,
+    this->Report, this->Profiles);
   this->Layers = 0;
 }
 }

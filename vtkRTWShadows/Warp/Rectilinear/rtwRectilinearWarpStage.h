@@ -46,8 +46,7 @@ public:
     const LayerTable& table) override;
   glm::dvec2 ReadGreatestDensity(int layer) const override;
   std::vector<float> ReadImportance(int layer, const LayerTable& table) const override;
-  void Release() override;
-  void Abandon() override;
+  void Dispose(Disposal dispose) override;
 
 private:
   std::function<RectilinearSettings()> Settings;

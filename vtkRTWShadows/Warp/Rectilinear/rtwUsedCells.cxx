@@ -56,15 +56,8 @@ void UsedCells::Find(
   }
 }
 
-void UsedCells::Release()
+void UsedCells::Dispose(Disposal dispose)
 {
-  this->Marking.Release();
-  this->Bits.Release();
-}
-
-void UsedCells::Abandon()
-{
-  this->Marking.Abandon();
-  this->Bits.Abandon();
+  dispose(this->Marking, this->Bits);
 }
 }

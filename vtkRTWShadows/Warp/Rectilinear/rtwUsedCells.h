@@ -5,6 +5,7 @@
 
 #include "GL/rtwBuffer.h"
 #include "GL/rtwProgram.h"
+#include "GL/rtwResources.h"
 #include "Light/rtwLightFrame.h"
 
 #include <string>
@@ -24,8 +25,7 @@ public:
   void Find(
     const std::vector<LightFrame>& frames, const AnalysisInput& input, const LayerTable& table);
   void BindBits() const { this->Bits.BindStorage(6); } // as in rtwUsedGrid.glsl
-  void Release();
-  void Abandon();
+  void Dispose(Disposal dispose);
 
 private:
   Program Marking;

@@ -57,15 +57,9 @@ void WarpHistory::BindStorage() const
   this->Functions.BindStorage(5); // as in rtwLastWarp.glsl
 }
 
-void WarpHistory::Release()
+void WarpHistory::Dispose(Disposal dispose)
 {
-  this->Functions.Release();
-  this->Abandon();
-}
-
-void WarpHistory::Abandon()
-{
-  this->Functions.Abandon();
+  dispose(this->Functions);
   this->Frames.clear();
   this->Still = 0;
 }

@@ -5,6 +5,7 @@
 
 #include "Frame/rtwView.h"
 #include "GL/rtwBuffer.h"
+#include "GL/rtwResources.h"
 #include "Warp/rtwWarpStage.h"
 
 #include <vector>
@@ -20,8 +21,7 @@ public:
   /// How many frames in a row, the last among them, have been the same.
   int GetStillFrames() const { return this->Still; }
   void BindStorage() const;
-  void Release();
-  void Abandon();
+  void Dispose(Disposal dispose);
 
 private:
   Buffer Functions;
