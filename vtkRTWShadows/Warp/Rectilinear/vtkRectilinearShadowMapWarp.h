@@ -41,21 +41,21 @@ public:
   };
 
   /**
-   * What is looked at (section 4.1).
+   * What the importance is found from (section 4.1).
    */
   enum Analyses
   {
     FORWARD = 0,  ///< a depth image from the light, looked back into the view
     BACKWARD = 1, ///< what the camera sees, projected onto the light plane
-    HYBRID = 2    ///< that, and for shadow edges a depth image from the light
+    HYBRID = 2    ///< what the camera sees, and for shadow edges a depth image from the light
   };
 
   /**
-   * Of what the CENTRE_OF_INTEREST is one.
+   * What the CENTRE_OF_INTEREST is the centre of.
    */
   enum Interests
   {
-    VIEW = 0,  ///< the middle of the picture
+    VIEW = 0,  ///< the picture
     SPHERE = 1 ///< a sphere in the scene
   };
 
