@@ -1,6 +1,6 @@
 // A shadow's edges on the screen, as a mask has them, and how far they move when a map is a texel off.
 
-// 0 in shadow, 1 lit, 0.5 neither.
+// The decision of the mask at a pixel: 0 in shadow, 1 lit, 0.5 neither.
 float rtwDecision(sampler2DArray mask, int light, ivec2 pixel)
 {
   ivec2 inside = clamp(pixel, ivec2(0), textureSize(mask, 0).xy - 1);
@@ -21,7 +21,8 @@ bool rtwBesideEdge(sampler2DArray mask, int light, ivec2 pixel)
   return differs;
 }
 
-// Across the edge that a pixel is beside: the mask's gradient, of length 1; 0 where the edge has no one direction.
+// The direction across the edge that a pixel is beside: the mask's gradient, of length 1; 0 where the edge has no one
+// direction.
 vec2 rtwEdgeNormal(sampler2DArray mask, int light, ivec2 pixel)
 {
   float here = rtwDecision(mask, light, pixel);
@@ -30,7 +31,7 @@ vec2 rtwEdgeNormal(sampler2DArray mask, int light, ivec2 pixel)
   {
     ivec2 step = ivec2(k % 5, k / 5) - 2;
     float there = rtwDecision(mask, light, pixel + step);
-    // What is averted says nothing of the edge.
+    // A pixel that faces away from the light says nothing of the edge.
     gradient += vec2(step) * (there == 0.5 ? here : there) * exp(-0.5 * float(step.x * step.x + step.y * step.y));
   }
   float size = length(gradient);
@@ -45,7 +46,7 @@ vec2 rtwEdgeNormal(sampler2DArray mask, int light, ivec2 pixel)
 // that is too much on such a wall. The geometric mean of both agrees best with exact rays.
 float rtwMisplaced(vec2 dx, vec2 dy, vec2 normal, vec2 off)
 {
-  vec2 s = vec2(dy.y, -dx.y); // one along s, on the screen, times the determinant
+  vec2 s = vec2(dy.y, -dx.y); // the step on the screen that leads one unit along s, times the determinant
   vec2 t = vec2(-dy.x, dx.x);
   bool known = normal != vec2(0.0);
   vec2 moved = known ? abs(vec2(dot(normal, s), dot(normal, t))) : vec2(length(s), length(t));

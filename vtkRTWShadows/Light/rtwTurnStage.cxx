@@ -24,13 +24,14 @@ namespace
 constexpr int Side = 128;
 constexpr int Slots = Side * Side;
 constexpr std::size_t BytesOfHeader = 16, BytesOfSample = 32, BytesOfEdge = 48;
-constexpr int LooksForEdges = 4; // a side, from one sample to the next
+// pixels along both axes that are looked at for edges from one sample to the next
+constexpr int LooksForEdges = 4;
 constexpr int MaskUnit = 1;
 
 void SetRectangles(
   const Program& program, const char* uniform, const std::vector<Rectangle>& rectangles)
 {
-  constexpr double Farthest = 1e30; // that a float holds well
+  constexpr double Farthest = 1e30; // stands for infinity: a float holds it well
   std::vector<float> values;
   for (const Rectangle& r : rectangles)
   {

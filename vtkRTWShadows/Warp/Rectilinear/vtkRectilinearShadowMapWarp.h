@@ -300,7 +300,8 @@ private:
   void Choose(int& member, int value, int most, const char* name, const char* expected);
   void Refuse(const std::string& log);
 
-  bool IsRefused = false; ///< the user's function, and that has been said
+  /// whether the user's function failed to compile and that has been reported
+  bool IsRefused = false;
 };
 
 #endif
