@@ -22,11 +22,12 @@ glm::dvec3 SeenFrom(const View& view);
 
 /// How the picture's window-space depth becomes what a sample holds: scale and offset.
 glm::dvec2 DepthToSample(const View& view);
-/// Likewise that of what is drawn into the samples' target.
+/// The same for the depth of what is drawn into the samples' target.
 glm::dvec2 OwnDepthToSample(const View& view);
 /// From clip to view coordinates, before the division: scale and offset.
 glm::dvec4 RayOf(const View& view);
-/// What a sample a adds to x and y of that, times a: of an eye beside the camera.
+/// What a sample adds to x and y of view coordinates, times the sample, where the eye is beside the
+/// camera.
 glm::dvec2 ShearOf(const View& view);
 /// From a sample a to view coordinates: z is (x + y a) / (z + w a), and all are divided by the latter.
 glm::dvec4 PlaceOf(const View& view);

@@ -22,10 +22,10 @@ struct AnalysisInput
   int Stride = 1;       ///< pixels from one sample to the next along both axes
   double SceneSize = 0; ///< its diagonal
   const DenseLayers* LightImages =
-    /// depth images from the lights, unwarped, one for each map layer; null if none were asked for
+    /// Depth images from the lights, unwarped, one for each map layer; null if none were asked for.
     nullptr;
   const Texture* LastMask =
-    /// the shadow mask of the last frame, a layer for each light; null if there is none
+    /// The shadow mask of the last frame, a layer for each light; null if there is none.
     nullptr;
   View LastView; ///< the view that LastMask was drawn for
   bool AreAll = false; ///< whether no receiver in view is missing from samples and Unsampled
@@ -34,7 +34,7 @@ struct AnalysisInput
   std::vector<Rectangle> Unsampled;
   double FilterWorld = 0;  ///< how far a filter looks, in world units,
   double FilterTexels = 0; ///< and in texels on the map, a texel's neighbours aside
-  /// length over which a bent edge is drawn straight, as a share of the map's side
+  /// Length over which a bent edge is drawn straight, as a share of the map's side.
   double Straight = 0;
 };
 }

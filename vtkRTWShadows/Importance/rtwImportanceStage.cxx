@@ -46,8 +46,8 @@ constexpr int MaskUnit = 3;
 constexpr int CountUnit = 1024;
 constexpr int ForwardUnit = 256;
 
-// A typical least distance of what is seen, by the near plane: the scale that keeps importance near
-// 1.
+// The distance of a window's near plane, from which on something is seen: the scale that keeps
+// importance near 1.
 float NearestDistance(const View& view)
 {
   const glm::dvec4 nearest = view.ClipToView * glm::dvec4(0, 0, -1, 1);

@@ -58,7 +58,7 @@ struct ImportanceSettings
   bool InterestInView = true;     ///< whether the view's centre is of interest, and not a sphere
   glm::dvec3 InterestCentre{ 0 }; ///< in world coordinates
   double InterestRadius = 1;      ///< in world units
-  /// the radius in the view, as a share of half the picture's smaller side
+  /// The radius in the view, as a share of half the picture's smaller side.
   double InterestShare = 0.5;
   double InterestBonus = 4;
   std::string Code; ///< the user's importance function in GLSL: a body or an expression

@@ -3,12 +3,12 @@
 layout(local_size_x = 256) in;
 layout(std430, binding = 1) writeonly buffer Blocks
 {
-  // for each block: bounds of its samples; bounds of what all their pixels might hold; nearest and farthest distance
+  // For each block: bounds of its samples; bounds of what all their pixels might hold; nearest and farthest distance.
   vec4 rtwBlockValues[];
 };
 layout(std430, binding = 2) buffer Range
 {
-  // for each light: nearest and farthest distance, as the bits of positive floats, which have the floats' order
+  // For each light: nearest and farthest distance, as the bits of positive floats, which have the floats' order.
   uint rtwRange[];
 };
 uniform int rtwFirstBlock;

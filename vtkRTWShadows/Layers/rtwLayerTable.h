@@ -31,7 +31,7 @@ public:
   static constexpr int LeastTileLevel = 2;          // as in rtwBendNonOrthogonal.glsl
   static constexpr unsigned int StorageBinding = 7; // as in rtwWarpFocus.glsl
   static constexpr unsigned int UniformBinding = 0; // the first of two
-  // bytes of a block of uniforms in rtwWarpFocus.glsl
+  // Bytes of a block of uniforms in rtwWarpFocus.glsl.
   static constexpr std::size_t UniformBytes = 4096 * 16;
   /// The definition that has to stand before rtwWarpFocus.glsl.
   static const char* DefinitionOf(TableAccess access);
@@ -63,7 +63,7 @@ public:
   /// Elements in a row of the table.
   int GetRowLength() const;
   int GetCells() const { return this->Cells; }
-  /// texels a side of a square map with as many texels
+  /// Texels a side of a square map with as many texels.
   int GetResolution() const { return this->Resolution; }
   const glm::ivec2& GetMapSize() const { return this->MapSize; }
   int GetBendLevels() const { return this->BendLevels; }

@@ -30,9 +30,9 @@ namespace rtw
 namespace
 {
 constexpr int GroupSize = 256;                  // of rtwBoundBlocks.glsl and rtwUniteBlocks.glsl
-// blocks of each invocation; BLOCKS of rtwUniteBlocks.glsl
+// Blocks of each invocation; BLOCKS of rtwUniteBlocks.glsl.
 constexpr int BlocksEach = 8;
-// bits of 1e30f, which the shaders take for infinity
+// Bits of 1e30f, which the shaders take for infinity.
 constexpr std::uint32_t Infinite = 0x7149f2cau;
 constexpr std::size_t BlockBytes = 48;
 constexpr std::size_t HeaderBytes = 16;

@@ -8,8 +8,8 @@ layout(std430, binding = 1) readonly buffer Blocks
 };
 layout(std430, binding = 2) buffer Visits
 {
-  // for each pass: three numbers of work groups, the length of its list; then the lists, as rtwVisitBlocks.glsl reads
-  // them
+  // For each pass: three numbers of work groups, the length of its list; then the lists, as rtwVisitBlocks.glsl reads
+  // them.
   uint rtwVisits[];
 };
 layout(std430, binding = 4) buffer BlockLists

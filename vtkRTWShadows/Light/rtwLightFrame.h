@@ -28,7 +28,7 @@ struct ShadowLight
   LightKind Kind = LightKind::Directional;
   int Switched = 0; ///< its number among the lights that are switched on: N of VTK's lightColorN
   glm::dvec3 Direction{ 0, 0, -1 }; ///< in which light travels, or the spot's axis; unit
-  glm::dvec3 Position{ 0 };         ///< of a spot
+  glm::dvec3 Position{ 0 };         ///< place of a spot
   double ConeAngle = 0;             ///< half of a spot's opening, in degrees
   double Attenuation = 1;           ///< how much of the light a shadow takes away, 0 to 1
 
@@ -51,11 +51,11 @@ struct LightFrame
   double FarthestDistance = 0; ///< along a spot's axis, where depth is 1
   double DepthRange = 1;    ///< world units of depth at a directional light
   int Parts = 1;            ///< layers that share the light's samples, one after another
-  /// sides of the view frustum that each range of depths is divided among: 4, or 1 for none
+  /// Sides of the view frustum that each range of depths is divided among: 4, or 1 for none.
   int Faces = 1;
   int Layer = 0;            ///< number of the layer that the frame is for
 
-  /// number of the light among those with a map
+  /// Number of the light among those with a map.
   int Number() const { return this->Layer / this->Parts; }
 
   /// The depth that a world length of 1 along the light amounts to; for a spot, times w².

@@ -7,9 +7,9 @@ namespace rtw
 {
 namespace
 {
-// viewers that are remembered, of whom some may be gone without having said so
+// Viewers that are remembered, of whom some may be gone without having said so.
 constexpr std::size_t MostViewers = 64;
-// length of a projected direction below which it is nothing but rounding
+// Length of a projected direction below which it is nothing but rounding.
 constexpr double LeastAlong = 1e-6;
 }
 

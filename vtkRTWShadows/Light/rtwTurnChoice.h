@@ -29,7 +29,7 @@ std::size_t LeastTurn(const std::vector<float>& areas);
 struct TurnSample
 {
   glm::dvec2 Place;
-  /// steps on the light plane to where the next pixels show its tangent plane
+  /// Steps on the light plane to where the next pixels show its tangent plane.
   glm::dvec2 ToRight, ToAbove;
   bool AtEdge = true;          ///< whether it is beside a shadow edge
   glm::dvec2 Normal{ 0 };      ///< across that edge, on the screen, of length 1; 0 if not known

@@ -7,7 +7,7 @@ const int CELLS = GROUP;
 const int BLUR = 4;                // cells, three standard deviations and some
 const float SIGMA = 1.5;
 const float FLOOR = 0.01;          // share of the mean density
-// the most that one sample asks for: the sum of 16384 samples in a cell has to fit in 32 bits
+// The most that one sample asks for: the sum of 16384 samples in a cell has to fit in 32 bits.
 const float MOST_ASKED = 262143.0;
 const float WIDEST = 50.0;         // pixels that an edge can move by at most
 

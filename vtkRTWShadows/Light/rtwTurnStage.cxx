@@ -24,7 +24,7 @@ namespace
 constexpr int Side = 128;
 constexpr int Slots = Side * Side;
 constexpr std::size_t BytesOfHeader = 16, BytesOfSample = 32, BytesOfEdge = 48;
-// pixels along both axes that are looked at for edges from one sample to the next
+// How often edges are looked for along an axis from one listed sample to the next.
 constexpr int LooksForEdges = 4;
 constexpr int MaskUnit = 1;
 

@@ -22,7 +22,7 @@ struct TurnedLight
 {
   LightFrame Frame;
   std::vector<double> By;        ///< radians, no more than TurnStage::MostTurns
-  /// bounds on the turned plane of what the map has to hold besides samples
+  /// Bounds on the turned plane of what the map has to hold besides samples.
   std::vector<Rectangle> Kept;
   std::vector<Rectangle> Bounds; ///< bounds on the turned plane outside of which nothing counts
 };
@@ -31,7 +31,7 @@ struct TurnInput
 {
   const ViewSampler& Samples;
   int Stride = 1;                ///< pixels from one sample to the next along both axes
-  /// the samples' shadow mask, a layer for each light; null where all samples count as edges
+  /// The samples' shadow mask, a layer for each light; null where all samples count as edges.
   const Texture* Mask = nullptr;
   int Texels = 1;                ///< a side of the map
   bool Adapts = true;            ///< whether the map is warped by demand

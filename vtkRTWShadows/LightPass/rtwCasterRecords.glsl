@@ -9,7 +9,7 @@ struct StraightCaster
 
 struct BentCaster
 {
-  // signed distance from each edge, as its product with (q - anchor, 1); w: the slope of depth, and the least depth
+  // Signed distance from each edge, as its product with (q - anchor, 1); w: the slope of depth, and the least depth.
   vec4 edges[3];
   vec4 anchor;   // a corner: q and depth; w: the greatest depth
   // The rest is only for a triangle that is covered by tiles.

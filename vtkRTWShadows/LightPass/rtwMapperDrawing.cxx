@@ -151,7 +151,7 @@ void DrawMapperSamples(
   if (view.Framed)
   {
     renderer->SetActiveCamera(viewer);
-    // programs that serve both passes are to be given the viewer's matrices anew
+    // Programs that serve both passes are to be given the viewer's matrices anew.
     viewer->Modified();
   }
 }

@@ -15,7 +15,7 @@ class ViewSampler;
 struct MapOfLight
 {
   const LightFrame& Frame; ///< the light's frame for its first layer
-  /// how far behind a layer the one of casters that only VTK's mappers draw lies; 0 for none
+  /// How far behind a layer the one of casters that only VTK's mappers draw lies; 0 for none.
   int OtherLayers;
   const ViewSampler& Samples;
   const LayerTable& Table;

@@ -22,7 +22,7 @@ class ViewSampler;
 struct MaskLookup
 {
   const ReceiverLights& Lights;
-  /// how far behind a layer the one of casters that only VTK's mappers draw lies; 0 for none
+  /// How far behind a layer the one of casters that only VTK's mappers draw lies; 0 for none.
   int OtherLayers;
   const DenseLayers& Layers;
   const LayerTable& Table;

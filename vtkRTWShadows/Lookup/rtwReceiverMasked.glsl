@@ -1,6 +1,6 @@
 // A receiver whose shadow stands in the mask.
 uniform sampler2DArray rtwMask;
-// the mask's corner in the target, in pixels; outside of the mask its outermost pixels count
+// The mask's corner in the target, in pixels; outside of the mask its outermost pixels count.
 uniform ivec2 rtwMaskOrigin;
 uniform float rtwAttenuation[RTW_LIGHTS];
 

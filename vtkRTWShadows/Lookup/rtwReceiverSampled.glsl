@@ -1,17 +1,17 @@
 // A receiver whose pixel has several samples, each with a shadow of its own: it takes those that show it. The mask stands in where the
 // samples are unknown.
 uniform sampler2DArray rtwMask;
-// bits of a pixel's samples: 0 to 7 for those in shadow, 8 to 15 for those that face the light
+// Bits of a pixel's samples: 0 to 7 for those in shadow, 8 to 15 for those that face the light.
 uniform usampler2DArray rtwSampleBits;
 uniform sampler2DMS rtwManySamples;
-// the mask's corner in the target, in pixels; outside of the mask its outermost pixels count
+// The mask's corner in the target, in pixels; outside of the mask its outermost pixels count.
 uniform ivec2 rtwMaskOrigin;
 uniform int rtwSamplesAPixel;
 uniform vec2 rtwOffsets[8];     // from the centre, in pixels
 uniform float rtwHiddenBeyond;  // the distance behind a sample beyond which the fragment is another surface
 uniform float rtwAttenuation[RTW_LIGHTS];
 
-// the same as a share of the distance or, in a framed view, of the depth of what is seen
+// The same as a share of the distance or, in a framed view, of the depth of what is seen.
 const float HIDDEN_SHARE = 1e-3;
 
 uint rtwShown = 0u; // the samples that show the fragment's surface

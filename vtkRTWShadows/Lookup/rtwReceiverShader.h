@@ -39,7 +39,7 @@ struct ReceiverShape
   int DepthTest = 0;
   bool OtherLayers = false; ///< whether some casters have layers of their own
   int Parts = 1;            ///< layers of each light, other casters' layers aside
-  /// layers of the same depths, one for each side of the view frustum; 1 or 4
+  /// Layers of the same depths, one for each side of the view frustum; 1 or 4.
   int Faces = 1;
   bool Blends = false;      ///< whether a layer gives way to the next little by little
 
@@ -82,7 +82,7 @@ struct LookupOptions
 struct ReceiverLights
 {
   std::vector<float> ToLight, Cone, Tolerance, Taps, Attenuation, Beams;
-  /// planes of the sides of the view frustum, in view coordinates
+  /// Planes of the sides of the view frustum, in view coordinates.
   std::array<glm::vec4, 4> Sides{};
   int FilterJitter = 0;
   int Count = 0;

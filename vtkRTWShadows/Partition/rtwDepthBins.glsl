@@ -3,7 +3,7 @@
 layout(local_size_x = 16, local_size_y = 16) in;
 layout(std430, binding = 1) buffer Bins
 {
-  // for each bin: low s, low t, high s, high t, by rtwOrdered(); demand along s and t, low and high part each
+  // For each bin: low s, low t, high s, high t, by rtwOrdered(); demand along s and t, low and high part each.
   uint rtwBins[];
 };
 uniform int rtwLight;

@@ -33,7 +33,7 @@ namespace rtw
 namespace
 {
 constexpr double Nowhere = 3e38;                // NOWHERE of rtwWriteIntervals.glsl
-// one in so many samples, along both axes, is put into a bin: bins are an estimate
+// One in so many samples, along both axes, is put into a bin: bins are an estimate.
 constexpr int BinningStride = 2;
 constexpr int NumberOfBins = 128;
 constexpr int BinSize = 6;   // numbers of each bin in shared memory

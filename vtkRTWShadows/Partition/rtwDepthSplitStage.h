@@ -19,7 +19,7 @@ struct DepthSplitSettings
   bool Faces = false;     ///< whether each is divided among the four sides of the view frustum
   bool BySamples = false; ///< whether depths are split where the least error is predicted
   double Lambda = 1;      ///< else from 0, even steps of depth, to 1, even ratios
-  /// width of the band where two layers blend, as a share of the nearer one's interval
+  /// Width of the band where two layers blend, as a share of the nearer one's interval.
   double Blend = 0;
   bool Steady = false; ///< whether layers stay in place in the world
 };
@@ -27,7 +27,7 @@ struct DepthSplitSettings
 class DepthSplitStage : public PartitionStage
 {
 public:
-  static constexpr int MostLayers = 8; // as in rtwSplitByBins.glsl
+  static constexpr int MostLayers = 8; // the size of rtwBegin in rtwSplitByBins.glsl
 
   explicit DepthSplitStage(std::function<DepthSplitSettings()> settings);
   int GetNumberOfLayers() const override

@@ -12,7 +12,7 @@ namespace rtw
 {
 namespace
 {
-// least near end as a share of the far end, since a parallel view may begin at 0
+// Least near end as a share of the far end, since a parallel view may begin at 0.
 constexpr double LeastNear = 1e-3;
 // A range that is chosen anew goes beyond what it has to hold by these factors, and one that is
 // held by no more than those. The near end moves much while the camera moves little, and matters

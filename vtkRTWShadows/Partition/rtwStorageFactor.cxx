@@ -13,7 +13,7 @@ namespace rtw
 {
 namespace
 {
-// length of a projected direction below which it is nothing but rounding
+// Length of a projected direction below which it is nothing but rounding.
 constexpr double LeastLength = 1e-9;
 constexpr double Strongest = 1e8;    // (f' - n') / n' in the search
 constexpr int Steps = 80;            // steps of the search
@@ -23,16 +23,16 @@ constexpr int Steps = 80;            // steps of the search
 struct Part
 {
   std::vector<glm::dvec3> Corners;
-  glm::dvec3 Along;    ///< as t is to lie, but for the light's direction
+  glm::dvec3 Along;    ///< the direction of t, before the part along the light is taken off
   double Nearest = 0;  ///< distance along the view
-  bool IsFace = false; ///< at a side of the frustum
+  bool IsFace = false; ///< whether it is a side of the frustum
 };
 
 // A part as it lies on the light plane: x across, y along the part's t.
 struct Shown
 {
   std::vector<glm::dvec2> Corners;
-  std::vector<double> Widths; ///< of the image beams there
+  std::vector<double> Widths; ///< widths of the image beams at the corners
   glm::dvec2 Low, High;
 };
 

@@ -55,7 +55,7 @@ struct StorageScheme
   int Warp = None;
   int Partitions = 1; ///< number of depth partitions
   bool Faces =
-    /// whether each face of the frustum that the light sees gets a map, and the near plane one
+    /// Whether each face of the frustum that the light sees gets a map, and the near plane one.
     false;
 };
 

@@ -2,7 +2,7 @@
 layout(local_size_x = 64) in;
 layout(std430, binding = 3) writeonly buffer BentEnds
 {
-  // for each draw: 0 if it is culled, otherwise one more than the end of its indices that the warp may bend
+  // For each draw: 0 if it is culled, otherwise one more than the end of its indices that the warp may bend.
   uint rtwBentEnds[];
 };
 layout(std430, binding = 5) buffer Counts

@@ -18,7 +18,7 @@ namespace rtw
 {
 namespace
 {
-// texels a side that a work group of rtwMarkDeepest.glsl goes through
+// Texels a side that a work group of rtwMarkDeepest.glsl goes through.
 constexpr int Tile = 64;
 constexpr int LeastSquare = 2; // log2 of its side
 constexpr int Unit = 8;        // the texture unit of rtwDeepest in rtwDeepestIn.glsl

@@ -15,7 +15,7 @@ layout(std430, binding = 4) buffer Tiles
 {
   uint rtwTileCounts[3]; // number of tiles in each list
   uint rtwTileGroups[3]; // work groups for the list whose turn it is
-  // how many tiles of that list may be divided at most, so that there is room for all that they become
+  // How many tiles of that list may be divided at most, so that there is room for all that they become.
   uint rtwTilesToDivide;
   uint rtwUnused;
   uint rtwPointDraw[4];  // vertices, instances, first vertex, first instance

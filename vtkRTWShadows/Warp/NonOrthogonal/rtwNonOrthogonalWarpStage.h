@@ -15,7 +15,7 @@ namespace rtw
 {
 struct NonOrthogonalSettings
 {
-  /// whether cells weigh the square root of demand; else samples are counted
+  /// Whether cells weigh the square root of demand; else samples are counted.
   bool Demand = true;
   int Cells = 512;         ///< along both axes
   bool Automatic = true;   ///< whether smoothing is chosen by what it costs
@@ -67,7 +67,7 @@ private:
   Buffer Report;        ///< a layer, an axis: the greatest slope
   int Layers = 0;
   int Cells = 0;
-  /// cells from the beginning of a collected or smoothed line to that of the next
+  /// Cells from the beginning of a collected or smoothed line to that of the next.
   int LineLength = 0;
 };
 }

@@ -15,10 +15,10 @@ namespace
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double Extreme = 16;      // a ratio beyond which maps would be but lines
 constexpr int Shortest = 8;         // side, in texels, unless the square's is shorter
-// share of a step that a ratio has to change by; half a step would do without hysteresis
+// Share of a step that a ratio has to change by; half a step would do without hysteresis.
 constexpr double Hold = 0.75;
 constexpr double ClearlyBetter = 0.98;
-// pixels by which edges are misplaced besides, whatever the split
+// Pixels by which edges are misplaced besides, whatever the split.
 constexpr double Unseen = 50;
 constexpr std::int64_t Lasting = 8; // frames that a viewer is remembered for
 

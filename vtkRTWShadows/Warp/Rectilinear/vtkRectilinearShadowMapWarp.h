@@ -300,7 +300,7 @@ private:
   void Choose(int& member, int value, int most, const char* name, const char* expected);
   void Refuse(const std::string& log);
 
-  /// whether the user's function failed to compile and that has been reported
+  /// Whether the user's function failed to compile and that has been reported.
   bool IsRefused = false;
 };
 
