@@ -2,7 +2,7 @@
 // as the round thing does and nothing of that thing. A cluster a work group.
 layout(local_size_x = 64) in;
 
-// By the rules of std430.
+// A group of lines or points, laid out by the rules of std430.
 struct ThickGroup
 {
   vec4 toWorld[3]; // columns: from the mesh to the world, less where its centre lies
@@ -135,7 +135,7 @@ void rtwWriteBall(uint first, uint sides, vec3 p, float radius, vec4 light)
     rtwWrite(first + 5u, p - corner * side);
     return;
   }
-  // Of the same area as the circle.
+  // The polygon has the same area as the circle.
   float turn = PI / float(sides);
   float reach = rtwWidened(radius, distance(light.xyz, p), light) * sqrt(turn / sin(turn));
   for (uint i = 0u; i < 4u; ++i)

@@ -18,7 +18,8 @@ namespace rtw
 namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
-// In pixels: up to these a half circle of one, two and four pieces is round enough. Single pixels are cheap, because they are many.
+// Widths, in pixels, up to which a half circle of one, two and four pieces is round enough. Single
+// pixels are cheap, because they are many.
 constexpr double Single = 1.5, Thin = 3, Medium = 10;
 constexpr int MostGroups = 32768; // work groups of a dispatch along an axis
 

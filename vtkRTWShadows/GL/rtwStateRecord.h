@@ -65,7 +65,8 @@ private:
   std::vector<Piece> Pieces;
 };
 
-/// For one operation that may stand anywhere: where nobody takes note of changes, its own are given back when it ends.
+/// Guards one operation that may stand anywhere: where nobody takes note of changes, its own are
+/// given back when it ends.
 class BriefChange
 {
 public:

@@ -32,7 +32,7 @@ public:
   /// Bounds what the camera sees in each light, for Reduce() and for whoever splits it by depth
   /// into so many layers.
   void Bound(const std::vector<LightFrame>& lights, const BoundedSamples& input, int parts);
-  /// As SampleBounds::GetRange().
+  /// The same as SampleBounds::GetRange().
   const Buffer& GetRange() const { return this->Samples.GetRange(); }
   /// Writes the focus of each layer, of which `frames` has one each. `also` are rectangles that a
   /// light's only layer must hold too: receivers that aren't sampled. Of several layers each holds

@@ -20,7 +20,7 @@ public:
   void Start(int layers, const ViewSampler& samples, int stride);
   /// Forgets the lists: there are none until the next Start().
   void Forget() { this->Layers = 0; }
-  /// For the shader that fills the lists: binds them, and tells where they are.
+  /// Binds the lists for the shader that fills them, and tells it where they are.
   void BindForListing(const Program& program) const;
   /// Runs a program, which is in use, for the samples of a layer or, below 0, for all.
   void Dispatch(const Program& program, const ViewSampler& samples, int stride, int layer) const;

@@ -42,7 +42,8 @@ struct LightFrame
   ShadowLight Light;
   glm::dvec3 SAxis{ 1, 0, 0 };
   glm::dvec3 TAxis{ 0, 1, 0 };
-  /// From world to (l · w, depth · w, w); w is 1 for a directional light, the distance along the axis for a spot.
+  /// The matrix from world coordinates to (l · w, depth · w, w); w is 1 for a directional light,
+  /// the distance along the axis for a spot.
   glm::dmat4 WorldToLight{ 1 };
   Rectangle Bounds;         ///< a square on the light plane that holds the scene, or a spot's cone
   glm::dvec2 ConeCentre{ 0 }; ///< centre of a spot's cone on the light plane

@@ -38,8 +38,9 @@ vec2 rtwEdgeNormal(sampler2DArray mask, int light, ivec2 pixel)
   return size > 1e-4 ? gradient / size : vec2(0.0);
 }
 
-// By how many pixels an edge of that normal (or any, where it is 0) moves on the screen if what casts it is off by such a length along
-// either axis of the light plane, in the mean of both. dx and dy lead there to the next pixels.
+// The number of pixels by which an edge of that normal (or any, where it is 0) moves on the screen if what casts it is
+// off by such a length along either axis of the light plane, in the mean of both. dx and dy lead there to the next
+// pixels.
 //
 // A pixel's extent along an axis alone is too much where its ellipse lies slantwise and thin, as on a wall that the light grazes:
 // an edge moves farther. How far along its normal is known by the inverse of the two steps, but no better than the normal is, and

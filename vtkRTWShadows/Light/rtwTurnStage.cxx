@@ -80,7 +80,7 @@ void TurnStage::Start(
 void TurnStage::List(const LightFrame& frame, int light, const TurnInput& input)
 {
   const int width = input.Samples.GetWidth(), height = input.Samples.GetHeight();
-  // As many a side at most as there are slots a side, and no more than the analysis itself takes.
+  // Samples a side are no more than there are slots a side, nor than the analysis itself takes.
   int step = std::max(input.Stride, 1);
   while ((width / step) * (height / step) > Slots)
   {

@@ -28,7 +28,8 @@ int rtwLevelPlace(int layer, int axis, int level)
   return (2 * layer + axis) * rtwLevelPlaces[rtwBendLevels] + rtwLevelPlaces[level];
 }
 
-// By how much a plane differs at most from another in a box around the other's middle, which lies `from` away from its own.
+// The greatest difference between a plane and another one in a box around the other's middle, which lies `from` away
+// from its own.
 float rtwDifference(NearPlane plane, vec2 from, NearPlane other, vec2 extent)
 {
   return abs(plane.middle + dot(plane.slope, from) - other.middle) + 0.5 * dot(abs(plane.slope - other.slope), extent);
