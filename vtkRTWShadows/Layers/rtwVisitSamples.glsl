@@ -1,4 +1,5 @@
-// An invocation goes through the samples of one block: of all blocks in turn, or of those in which a layer has samples.
+// An invocation goes through the samples of one block: of all blocks one after another, or of those in which a layer
+// has samples.
 layout(std430, binding = 4) readonly buffer BlockLists
 {
   uint rtwBlockLists[]; // for each list: three numbers of work groups, its length; its blocks

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The split of texels between s and t that the least error is predicted for, from the shadow edges
-// of frames before.
+// The ratio of texels along s to texels along t that the least error is predicted for, from the
+// shadow edges of frames before.
 #ifndef rtwSplitChoice_h
 #define rtwSplitChoice_h
 
@@ -23,8 +23,8 @@ class SplitChoice
 {
 public:
   /// Begins a frame: what has been found out by now counts from it on. `viewer` tells apart viewers
-  /// who draw by turns; they share a split. All is forgotten where the choice isn't `used`, or the
-  /// number `settings` has changed.
+  /// who draw alternately; they share a ratio. All is forgotten where the choice isn't `used`, or
+  /// the number `settings` has changed.
   void Begin(bool used, const void* viewer, std::uint64_t settings);
   /// How many times as many texels along s as along t.
   double GetRatio() const;
@@ -37,7 +37,7 @@ public:
   /// square map has.
   void Ask(const std::vector<MapOfLight>& lights, const TurnInput& input, std::uint64_t signature);
   /// Waits until the comparison is done, whose result then counts. Returns whether there is a
-  /// better split.
+  /// better ratio.
   bool Wait();
   void Release();
   void Abandon();

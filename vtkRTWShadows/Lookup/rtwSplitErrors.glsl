@@ -1,5 +1,5 @@
-// The error that maps would have with their texels split otherwise between s and t, predicted from listed shadow edges: by how many
-// pixels these move that are off by a texel. A work group a split; lights one after another.
+// The error that maps would have with their texels divided otherwise between s and t, predicted from listed shadow
+// edges: by how many pixels these move that are off by a texel. A work group a ratio; lights one after another.
 layout(local_size_x = 256) in;
 const int GROUP = 256;
 const float WIDEST = 50.0; // pixels that an edge can move by at most
@@ -14,7 +14,7 @@ layout(std430, binding = 1) buffer Errors
 {
   float rtwErrors[];
 };
-uniform vec2 rtwTexelSizes[RTW_SPLITS]; // sizes of a map's texel along s and t, for each split
+uniform vec2 rtwTexelSizes[RTW_SPLITS]; // sizes of a map's texel along s and t, for each ratio
 uniform int rtwSlots;
 uniform int rtwFirstLayer; // the light's first layer
 uniform int rtwParts;      // layers of the light

@@ -57,8 +57,8 @@ private:
   bool PeeledVolumes = false;
   vtkNew<HiddenLinesStep> HiddenLines;
   vtkNew<vtkSSAOPass> Occlusion;
-  // Those that put code into mappers' shaders are their window's: else viewports that share translucent actors
-  // would have these built by turns.
+  // Those that put code into mappers' shaders are their window's: else viewports that share
+  // translucent actors would have these built anew again and again.
   std::shared_ptr<vtkOrderIndependentTranslucentPass> Blending;
   std::shared_ptr<vtkDepthPeelingPass> Peeling; // one of two kinds
   vtkNew<FXAAStep> Smoothing;

@@ -39,7 +39,7 @@ public:
   };
 
   /**
-   * How the texels of a map are split between s and t, of which t goes along the view, as
+   * How the texels of a map are divided between s and t, of which t goes along the view, as
    * vtkPerspectiveShadowMapWarp::ResolutionSplits.
    */
   enum ResolutionSplits
@@ -100,7 +100,7 @@ public:
 
   ///@{
   /**
-   * How the texels of a map are split between its axes s and t: one of ResolutionSplits; any
+   * How the texels of a map are divided between its axes s and t: one of ResolutionSplits; any
    * other value is refused with an error (Lloyd et al. 2006, section 4.2). Default:
    * SPLIT_AUTOMATIC.
    */

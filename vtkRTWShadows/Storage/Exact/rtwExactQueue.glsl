@@ -1,5 +1,5 @@
 // What the exact test has still to do. The queue begins with a command for each step (groups, 1, 1, items), then come the items, in two
-// parts that steps fill and empty by turns, and those of the test.
+// parts that steps fill and empty alternately, and those of the test.
 layout(std430, binding = 6) buffer Queue
 {
   uint rtwQueue[];

@@ -21,7 +21,7 @@
 
 namespace rtw
 {
-/// How texels are split between s and t.
+/// How texels are divided between s and t.
 struct SplitSettings
 {
   enum Kinds

@@ -18,7 +18,7 @@ constexpr int Shortest = 8;         // side, in texels, unless the square's is s
 // Share of a step that a ratio has to change by; half a step would do without hysteresis.
 constexpr double Hold = 0.75;
 constexpr double ClearlyBetter = 0.98;
-// Pixels by which edges are misplaced besides, whatever the split.
+// Pixels by which edges are misplaced besides, whatever the ratio.
 constexpr double Unseen = 50;
 constexpr std::int64_t Lasting = 8; // frames that a viewer is remembered for
 
@@ -199,7 +199,8 @@ int LeastErrorStep(const std::vector<std::vector<float>>& errors, const std::opt
   std::vector<double> sums;
   for (int step = -SplitSteps; step <= SplitSteps; ++step)
   {
-    // How much longer and wider a texel of a split is than one of the square map, in the mean.
+    // How much longer and wider a texel of a map with that ratio is than one of the square map, in
+    // the mean.
     const double longer = std::exp2(0.5 * step / SteadyRatio::StepsAnOctave);
     double sum = Unseen * 0.5 * (longer + 1 / longer);
     for (const std::vector<float>& each : errors)

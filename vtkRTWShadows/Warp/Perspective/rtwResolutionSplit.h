@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How the texels of a perspective warp's maps are split between s and t (Lloyd et al. 2006, section
-// 4.2): by what the view's frustum shows of the scene, on the CPU, so that it is known before
-// anything is drawn.
+// How the texels of a perspective warp's maps are divided between s and t (Lloyd et al. 2006,
+// section 4.2): by what the view's frustum shows of the scene, on the CPU, so that it is known
+// before anything is drawn.
 #ifndef rtwResolutionSplit_h
 #define rtwResolutionSplit_h
 
@@ -62,8 +62,8 @@ class SteadyRatio
 {
 public:
   static constexpr int StepsAnOctave = 4;
-  /// The ratio for a viewer who wants that one; if several viewers take turns, the geometric mean
-  /// of what they want.
+  /// The ratio for a viewer who wants that one; if several viewers draw alternately, the geometric
+  /// mean of what they want.
   double Choose(const void* viewer, double wanted);
   void Forget();
 

@@ -94,7 +94,7 @@ public:
   ///@}
 
   /**
-   * How a map's texels are split between s and t, of which the latter goes along the view.
+   * How a map's texels are divided between s and t, of which the latter goes along the view.
    */
   enum ResolutionSplits
   {
