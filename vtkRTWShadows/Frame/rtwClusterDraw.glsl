@@ -40,7 +40,7 @@ layout(std430, binding = 1) readonly buffer Draws
 };
 layout(std430, binding = 2) readonly buffer Matrices
 {
-  mat4 rtwMatrices[]; // an instance
+  mat4 rtwMatrices[]; // for each instance
 };
 
 DrawCommand rtwCommand(Cluster cluster, uint first, uint end, uint instance)

@@ -2,13 +2,13 @@
 // as the round thing does and nothing of that thing. A cluster a work group.
 layout(local_size_x = 64) in;
 
-// By the rules of std430.
+// A group of lines or points, laid out by the rules of std430.
 struct ThickGroup
 {
   vec4 toWorld[3]; // columns: from the mesh to the world, less where its centre lies
   vec4 distance;   // along the view, there: of (point, 1); negative behind the eye
   vec4 light;      // where it stands there, or with w = 0 the way to it
-  vec2 radii;      // of lines and points, a unit of that distance
+  vec2 radii;      // radii of lines and points per unit of that distance
   vec2 unused;
 };
 struct ThickCluster
@@ -17,12 +17,12 @@ struct ThickCluster
   uint segments;
   uint group;
   uint sides;      // pieces of a half circle
-  uint firstPoint; // of those written
-  uint cluster;    // likewise
+  uint firstPoint; // number of the first point that is written
+  uint cluster; // number of the cluster that is written
   uint isBalls;
   uint unused;
 };
-struct Cluster // as rtwClusterDraw.glsl has it
+struct Cluster // the same as in rtwClusterDraw.glsl
 {
   vec3 low;
   float largestExtent;
@@ -61,7 +61,8 @@ uniform int rtwNumberOfThick;
 
 const uint JOINED = 1u << 31u;
 const float PI = 3.14159265;
-const float MOST_OF_DISTANCE = 0.25; // of the square of that to a lamp: nearer, and the lamp is within
+// The share of the squared distance to a lamp: one of a larger squared radius has the lamp inside.
+const float MOST_OF_DISTANCE = 0.25;
 const float PARALLEL = 1e-6;         // the sine of an angle
 
 shared vec3 rtwLow[64];
@@ -134,7 +135,7 @@ void rtwWriteBall(uint first, uint sides, vec3 p, float radius, vec4 light)
     rtwWrite(first + 5u, p - corner * side);
     return;
   }
-  // Of the same area as the circle.
+  // The polygon has the same area as the circle.
   float turn = PI / float(sides);
   float reach = rtwWidened(radius, distance(light.xyz, p), light) * sqrt(turn / sin(turn));
   for (uint i = 0u; i < 4u; ++i)

@@ -142,7 +142,7 @@ struct Collector
     }
   }
 
-  // Also for those that VTK draws in an actor's stead, with its keys.
+  // Notes how a leaf is shaded, also for the actors that VTK draws in its stead, with its keys.
   void Shade(vtkProp* owner, const SceneLeaf& leaf, const SceneShading& shading, bool mixed)
   {
     const bool isUsual = shading == SceneShading();
@@ -186,7 +186,7 @@ struct Collector
     }
   }
 
-  // What a prop's actors came to.
+  // Facts about all actors of a prop together.
   struct Added
   {
     std::vector<ScenePart> Parts;
@@ -221,7 +221,7 @@ struct Collector
       }
       added.Plain = false;
       added.Drawn = Mix(Mix(added.Drawn, reinterpret_cast<std::uint64_t>(leaf.Actor)), leaf.ToWorld);
-      // Of which the prop doesn't tell.
+      // A prop's own signature doesn't tell of the level of detail that it draws.
       added.Drawn = leaf.Level ? SignActor(added.Drawn, leaf.Actor) : added.Drawn;
       this->Result.SamplesAreComplete = false;
       vtkSmartPointer<vtkMatrix4x4> place;
@@ -279,7 +279,7 @@ struct Collector
       this->Result.Parts.end(), added.Parts.begin(), added.Parts.end());
   }
 
-  // Once all are known, since actors share mappers.
+  // Sorts shadings by keys, once all are known, since actors share mappers.
   void SortKeys()
   {
     FrameScene& scene = this->Result;

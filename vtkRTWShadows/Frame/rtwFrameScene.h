@@ -34,7 +34,7 @@ struct ScenePart
   bool Casts;
   bool Receives; ///< and is opaque, so that it belongs into the view samples
   bool Hides;    ///< is opaque but receives nothing: among the view samples it only hides what is behind
-  ThickLook Look; ///< of its lines and points
+  ThickLook Look; ///< how its lines and points are drawn
 };
 
 /// What only its own VTK mapper knows how to draw: imposters, glyphs, cut-outs, clipped meshes and so on. Where it doesn't
@@ -42,8 +42,8 @@ struct ScenePart
 struct SceneProp
 {
   vtkActor* Actor;
-  vtkProp* Owner; ///< of which it is a part, or it itself; whose keys it is drawn with
-  vtkSmartPointer<vtkMatrix4x4> Place; ///< that its owner gives it, if any
+  vtkProp* Owner; ///< the prop that it is a part of, or itself; it is drawn with that prop's keys
+  vtkSmartPointer<vtkMatrix4x4> Place; ///< the matrix that its owner gives it; null for none
   bool Casts;
   bool Receives;
   bool Translucent;
@@ -54,7 +54,8 @@ struct SceneShading
 {
   bool DrawsItself = false; ///< into maps and view samples, besides the picture
   bool IsUnsampled = false; ///< has parts that are not among the view samples: translucent ones
-  bool IsMixed = false;     ///< of keys: some of what draws with them is no actor of ours, and stays as it is
+  /// For keys: whether some of what draws with them is no actor of ours, and stays as it is.
+  bool IsMixed = false;
 
   bool operator==(const SceneShading& other) const
   {
@@ -82,13 +83,13 @@ struct FrameScene
   std::vector<ScenePart> Parts;
   std::vector<SceneProp> Props;
   std::vector<vtkProp*> Shaded; ///< every prop in whose keys the pass has to be, so that its mappers are given our shader code
-  /// Of actors and mappers that aren't shaded as most are, and of the keys that such an actor shares with what VTK draws in its
-  /// stead. Only the addresses are used.
+  /// The shading of actors and mappers that aren't shaded as most are, and of the keys that such an
+  /// actor shares with what VTK draws in its stead. Only the addresses are used.
   std::map<const vtkObjectBase*, SceneShading> Shadings;
-  /// Of the keys with which anything is drawn that isn't shaded as most is.
+  /// The shadings of those keys with which anything is drawn that isn't shaded as most is.
   std::map<const vtkObjectBase*, KeyShadings> Keys;
   std::vector<SceneRefusal> Refusals;
-  glm::dvec3 Low{ 0 }; ///< of all that has bounds
+  glm::dvec3 Low{ 0 }; ///< least corner of the bounds of everything, in world coordinates
   glm::dvec3 High{ 0 };
   bool HasBounds = false;
   /// Corners of the bounds of Props.
@@ -97,14 +98,15 @@ struct FrameScene
   std::vector<glm::dvec3> UnsampledReceivers;
   /// Whether the view samples show exactly what the opaque props will cover, so that they may stand in for its depth.
   bool SamplesAreComplete = true;
-  /// Changes whenever anything that the shadows depend on does.
+  /// A number that changes whenever anything that the shadows depend on does.
   std::uint64_t Signature = 0;
 
-  /// Of what a mapper draws as one of the props that are shaded; nothing where that is to stay as it is.
+  /// The shading of what a mapper draws as one of the shaded props; nothing where that is to stay
+  /// as it is.
   std::optional<SceneShading> FindShading(const vtkObjectBase* mapper, vtkProp* prop) const;
   std::optional<SceneShading> FindShading(
     const vtkObjectBase* mapper, const vtkObjectBase* actor, const vtkObjectBase* keys) const;
-  /// Null for what is shaded as most is.
+  /// The shading of an object; null for one that is shaded as most are.
   const SceneShading* Find(const vtkObjectBase* object) const;
   bool IsEmpty() const { return this->Parts.empty() && this->Props.empty(); }
 };
@@ -115,8 +117,8 @@ struct SceneKeys
   vtkInformationIntegerKey* Receives;
 };
 
-/// All visible props, those outside the view among them: they can cast into it. With `ownDrawing` off everything is
-/// left to VTK's mappers.
+/// Collects all visible props, those outside the view among them: they can cast into it. With
+/// `ownDrawing` off everything is left to VTK's mappers.
 FrameScene CollectScene(vtkRenderer* renderer, const SceneKeys& keys, bool ownDrawing);
 
 /// Appends the corners of a box, transformed.

@@ -14,7 +14,8 @@ namespace
 // A perspective view is framed where what is seen begins farther from the eye than so many times as
 // it is deep: nearer, floats from the eye are as precise.
 constexpr double FarAway = 3;
-constexpr double BeforeRange = 1e-3; // of its depth view coordinates begin, so that all is beyond
+// Share of the depth of what is seen by which view coordinates begin before it.
+constexpr double BeforeRange = 1e-3;
 
 // An explicit projection may be anything, and an eye of a stereo pair looks from beside the camera.
 bool IsPlain(const View& view)
@@ -26,7 +27,7 @@ bool IsPlain(const View& view)
     p[2][2] < 0 && (view.Parallel ? p[2][0] == 0 && p[2][1] == 0 : p[3][2] < 0);
 }
 
-// From the camera; infinite where rounding leaves no far plane.
+// The clipping planes' distances from the camera; infinite where rounding leaves no far plane.
 glm::dvec2 ClippingRange(const View& view)
 {
   const glm::dvec2& row = view.DepthRow;

@@ -22,16 +22,18 @@ glm::dvec3 SeenFrom(const View& view);
 
 /// How the picture's window-space depth becomes what a sample holds: scale and offset.
 glm::dvec2 DepthToSample(const View& view);
-/// Likewise that of what is drawn into the samples' target.
+/// The same for the depth of what is drawn into the samples' target.
 glm::dvec2 OwnDepthToSample(const View& view);
-/// From clip to view coordinates, before the division: scale and offset.
+/// The scale and offset from clip to view coordinates, before the division.
 glm::dvec4 RayOf(const View& view);
-/// What a sample a adds to x and y of that, times a: of an eye beside the camera.
+/// What a sample adds to x and y of view coordinates, times the sample, where the eye is beside the
+/// camera.
 glm::dvec2 ShearOf(const View& view);
-/// From a sample a to view coordinates: z is (x + y a) / (z + w a), and all are divided by the latter.
+/// The coefficients that take a sample a to view coordinates: z is (x + y a) / (z + w a), and all
+/// are divided by the latter.
 glm::dvec4 PlaceOf(const View& view);
-/// From pixel to pixel in view coordinates at distance 1 (anywhere in a parallel view), and what a
-/// sample changes by with one over the distance, or in a parallel view with z.
+/// The step from pixel to pixel in view coordinates at distance 1 (anywhere in a parallel view),
+/// and what a sample changes by with one over the distance, or in a parallel view with z.
 glm::dvec3 RayStep(const View& view);
 }
 

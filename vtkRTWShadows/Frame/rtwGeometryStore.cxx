@@ -16,7 +16,7 @@ namespace rtw
 {
 namespace
 {
-// As the shaders declare it, with the rules of std430.
+// A cluster as the shaders declare it (rtwClusterDraw.glsl), by the rules of std430.
 struct GpuCluster
 {
   glm::vec3 Low;
@@ -97,7 +97,7 @@ void GeometryStore::AddThinDraws(const Mesh& mesh, std::uint32_t instance)
   }
 }
 
-// Room for what the GPU writes.
+// Makes room for the lines and points that the GPU writes.
 void GeometryStore::PlaceThick()
 {
   const std::size_t points = this->Thick.GetNumberOfPoints();
@@ -128,7 +128,7 @@ void GeometryStore::PlaceThick()
   }
 }
 
-// Where they lie the GPU finds for each light.
+// Uploads lines and points; the GPU finds for each light where their triangles lie.
 void GeometryStore::UploadThick()
 {
   const std::vector<ThickRun>& runs = this->Thick.GetRuns();
@@ -247,7 +247,7 @@ double Greatest(const MeshData& data, std::size_t first, std::size_t end, const 
   return greatest;
 }
 
-// More than `least`, if any point of the mesh reaches farther; else `least`.
+// The greatest product of a direction with the points of a mesh, or `least` if none is greater.
 double GreatestOf(const MeshData& data, const glm::dvec3& direction, double least)
 {
   for (const MeshCluster& cluster : data.Clusters)

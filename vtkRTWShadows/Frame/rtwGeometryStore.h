@@ -101,12 +101,13 @@ private:
   std::vector<const Mesh*> InstanceMeshes;
   std::vector<ThinDraw> ThinDraws;
   std::vector<ClusterDraw> Listed;
-  /// What they are made of changes with the light that is to be cast next, what they are doesn't.
+  /// The lines and points; mutable, as their triangles change with the light that is to be cast
+  /// next.
   mutable ThickPrimitives Thick;
   mutable std::optional<glm::dvec4> Faced;
-  std::vector<ThickRun> ThickRuns; ///< as uploaded
+  std::vector<ThickRun> ThickRuns; ///< the runs that were uploaded
   ThickPlace ThickAt{ 0, 0 };
-  std::size_t ThickPoints = 0, ThickClusters = 0; ///< the room that they have
+  std::size_t ThickPoints = 0, ThickClusters = 0; ///< the room that lines and points have
   std::optional<std::array<std::size_t, ThickRun::Sides.size()>> ThickIndices; ///< where those of each of ThickRun::Sides stand
   bool Hiding = false;
   int NumberOfDraws = 0;

@@ -52,7 +52,7 @@ struct Builder
     }
   }
 
-  // As VTK's mappers draw polygons, the concave ones too.
+  // Makes a fan of a polygon, also of a concave one, as VTK's mappers do.
   void AddFan(vtkIdType count, const vtkIdType* ids)
   {
     for (vtkIdType k = 2; k < count; ++k)
@@ -135,7 +135,7 @@ struct Builder
       const float ratio = s.Extent > 0 ? cluster.LargestExtent / s.Extent : 1e9f;
       return std::clamp(static_cast<int>(std::log2(ratio)), 0, MeshCluster::SizeClasses - 1);
     };
-    // In the order of the input within a class: neighbours there tend to share points.
+    // Triangles of a class stay in the order of the input: neighbours there tend to share points.
     std::sort(begin, end, [&](const Sortable& a, const Sortable& b) {
       const int x = sizeClass(a), y = sizeClass(b);
       return x != y ? x < y : a.Triangle < b.Triangle;
@@ -174,7 +174,7 @@ struct Builder
     }
   }
 
-  // Points in the order of their first use, and none that no cell uses.
+  // Sorts points by their first use, and drops those that no cell uses.
   void CompactPoints()
   {
     constexpr std::uint32_t unused = ~0u;

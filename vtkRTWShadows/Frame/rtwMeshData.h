@@ -23,7 +23,7 @@ struct MeshCluster
 
   glm::vec3 Low{ 0 }; ///< bounds, relative to the mesh's centre
   glm::vec3 High{ 0 };
-  float LargestExtent = 0; ///< of any triangle's bounds along an axis
+  float LargestExtent = 0; ///< the largest extent of any triangle's bounds along an axis
   std::uint32_t FirstIndex = 0;
   /// Indices of triangles whose extent is above LargestExtent / 2^(k + 1), and of all for the last k.
   std::array<std::uint32_t, SizeClasses> ClassEnd{};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What reads meshes begins with: their points as floats that are precise wherever the mesh lies, and
-// their cells one after another.
+// What all readers of meshes begin with: their points as floats that are precise wherever the mesh
+// lies, and their cells one after another.
 #ifndef rtwMeshPoints_h
 #define rtwMeshPoints_h
 
@@ -27,7 +27,8 @@ struct MeshPoints
 
 MeshPoints ReadPoints(vtkPolyData* data);
 
-/// Gives each cell's number of points and their numbers to `visit`; of no array nothing.
+/// Gives each cell's number of points and their numbers to `visit`; nothing where there is no
+/// array.
 template <class Visit>
 void ForEachCell(vtkCellArray* cells, Visit visit)
 {

@@ -19,7 +19,7 @@ inline std::uint64_t SpreadBits(std::uint64_t x)
   return (x | x << 2) & 0x1249249249249249ull;
 }
 
-/// Of a point in the unit cube; 19 bits an axis, so that seven are free above them.
+/// The code of a point in the unit cube: 19 bits an axis, so that seven are free above them.
 inline std::uint64_t MortonCode(const glm::vec3& unit)
 {
   const glm::vec3 scaled = glm::clamp(unit, glm::vec3(0), glm::vec3(1)) * 524287.f;

@@ -1,5 +1,5 @@
 // The view samples as a depth buffer, a little farther than they are, so that what they hide is not shaded and what they show is.
-uniform ivec2 rtwOrigin; // of the viewport
+uniform ivec2 rtwOrigin; // the viewport's corner in the target, in pixels
 
 void main()
 {

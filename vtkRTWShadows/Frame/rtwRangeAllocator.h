@@ -19,7 +19,7 @@ public:
   void Clear();
 
 private:
-  std::map<std::size_t, std::size_t> Gaps; ///< count by start
+  std::map<std::size_t, std::size_t> Gaps; ///< counts of items by their start
   std::size_t End = 0;
 };
 }

@@ -20,7 +20,7 @@ void main()
   ivec2 pixel = square.pixel;
   float depth = texelFetch(rtwDepth, pixel, 0).r;
   vec2 slope = vec2(rtwDifference(pixel, depth, ivec2(1, 0)), rtwDifference(pixel, depth, ivec2(0, 1)));
-  // What is read as of the square's middle lies there on the same plane.
+  // The sample is moved along its plane to the square's middle, as which it is read.
   vec2 extent = vec2(square.extent);
   float middle = depth + dot(slope, 0.5 * (extent - 1.0) - vec2(pixel - square.low));
   viewSample = depth < 1.0

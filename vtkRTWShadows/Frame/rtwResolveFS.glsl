@@ -1,7 +1,7 @@
-// Of a pixel's samples that which lies nearest to its centre and sees anything, for those who look at one a pixel.
+// The sample of a pixel that lies nearest to its centre and sees anything, for whoever looks at one sample a pixel.
 uniform sampler2DMS rtwManySamples;
 uniform int rtwSamplesAPixel;
-uniform vec2 rtwOffsets[8]; // from the centre, in pixels
+uniform vec2 rtwOffsets[8]; // places of a pixel's samples from its centre, in pixels
 out vec4 viewSample;
 
 void main()

@@ -2,7 +2,8 @@
 // nothing that the picture repeats, and what is too thin for one row of squares is met by another.
 uniform int rtwStride; // pixels a side of a square, at most
 
-// Exactly, of numbers that aren't negative: where integers are divided one by one that is slow, and floats aren't.
+// The exact quotient of integers that aren't negative, by floats: integer division is slow where vectors are divided
+// one component at a time.
 ivec2 rtwDivided(ivec2 a, ivec2 b)
 {
   ivec2 about = ivec2(vec2(a) / vec2(b)); // off by less than one

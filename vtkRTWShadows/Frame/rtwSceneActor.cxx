@@ -35,8 +35,8 @@ namespace rtw
 namespace
 {
 #if VTK_MODULE_ENABLE_VTK_RenderingLOD
-// As vtkLODActor::Render chooses: by the time that each level took when it was last drawn, the
-// untried first. Nothing that the choice depends on changes between here and there.
+// The level that vtkLODActor::Render will choose: by the time that each level took when it was last
+// drawn, the untried first. Nothing that the choice depends on changes between here and there.
 vtkMapper* ChosenLevel(vtkLODActor* actor)
 {
   const float allowed = static_cast<float>(actor->GetAllocatedRenderTime());
@@ -92,7 +92,8 @@ bool IsSetUp(vtkDataSetMapper* mapper, vtkMapper* surface)
       source->GetInputDataObject(0, 0) == mapper->GetInput());
 }
 
-// Of a vtkDataSetMapper the mapper that draws its surface, which exists from its first frame on.
+// The mapper that draws an actor: for a vtkDataSetMapper the one of its surface, which exists from
+// its first frame on.
 vtkMapper* DrawingMapper(vtkActor* actor)
 {
   vtkMapper* mapper = ChosenMapper(actor);
@@ -230,7 +231,7 @@ ThickLook LookOf(vtkActor* actor)
   look.Drawn = representation == VTK_SURFACE ? ThickLook::Shape::Surface
     : representation == VTK_WIREFRAME        ? ThickLook::Shape::Edges
                                              : ThickLook::Shape::Points;
-  // Flat ones lie on the surface.
+  // Flat points lie on the surface; only spheres stand out of it.
   look.AllPoints = property->GetVertexVisibility() && property->GetRenderPointsAsSpheres();
   look.LineWidth = property->GetLineWidth();
   look.PointSize = property->GetPointSize();

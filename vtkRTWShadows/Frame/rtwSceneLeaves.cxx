@@ -47,7 +47,7 @@ bool IsAnnotation(vtkProp* prop)
   return IsOneOf(prop, { "vtkSkybox", "vtkAxisFollower", "vtkProp3DAxisFollower" });
 }
 
-// Of the level that VTK chose when it allocated the time for this frame.
+// The actor of the level that VTK chose when it allocated the time for this frame.
 vtkActor* ChosenLevel(vtkLODProp3D* levels)
 {
   const int chosen = levels->GetLastRenderedLODID();

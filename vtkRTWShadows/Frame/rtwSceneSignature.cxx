@@ -40,7 +40,7 @@ std::uint64_t MixAddress(std::uint64_t signature, const void* object)
   return Mix(signature, reinterpret_cast<std::uint64_t>(object));
 }
 
-// Which object, because one that takes another's place may be older.
+// Mixes in which object it is, because one that takes another's place may be older.
 std::uint64_t MixObject(std::uint64_t signature, vtkObject* object)
 {
   return Mix(MixAddress(signature, object), std::uint64_t(object ? object->GetMTime() : 0));
@@ -66,7 +66,7 @@ std::uint64_t SignData(std::uint64_t signature, vtkDataObject* data)
   return signature;
 }
 
-// Of every port, because a glyph has a source, and a cube map six images.
+// Signs the inputs of every port, because a glyph has a source, and a cube map six images.
 std::uint64_t SignInputs(std::uint64_t signature, vtkAlgorithm* algorithm)
 {
   for (int port = 0; port < algorithm->GetNumberOfInputPorts(); ++port)

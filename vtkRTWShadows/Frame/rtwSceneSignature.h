@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// By what a frame is recognised as the one before: numbers that change whenever something does that
-// shadows depend on.
+// Signatures, by which a frame is recognised as being like the one before: numbers that change
+// whenever something does that shadows depend on.
 #ifndef rtwSceneSignature_h
 #define rtwSceneSignature_h
 
@@ -17,15 +17,15 @@ namespace rtw
 {
 struct ScenePart;
 
-/// Of a mesh that is drawn from buffers of our own: its geometry and its place, and nothing of how
-/// it looks.
+/// The signature of a mesh that is drawn from buffers of our own: its geometry and its place, and
+/// nothing of how it looks.
 std::uint64_t SignPart(std::uint64_t signature, const ScenePart& part);
 
-/// Of a prop that VTK's mappers draw: all that may change its silhouette or what it cuts out, and
-/// in doubt more than that. What its bounds depend on has to be up to date.
+/// The signature of a prop that VTK's mappers draw: all that may change its silhouette or what it
+/// cuts out, and in doubt more than that. What its bounds depend on has to be up to date.
 std::uint64_t SignProp(std::uint64_t signature, vtkProp* prop);
 
-/// The parts of the latter, for props that hold mappers in ways of their own.
+/// The signature of one actor, for props that hold mappers in ways of their own.
 std::uint64_t SignActor(std::uint64_t signature, vtkActor* actor);
 std::uint64_t SignMapper(std::uint64_t signature, vtkMapper* mapper);
 std::uint64_t SignTexture(std::uint64_t signature, vtkTexture* texture);

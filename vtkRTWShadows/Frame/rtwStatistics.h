@@ -9,10 +9,10 @@ namespace rtw
 {
 struct Statistics
 {
-  int Lights = 0;        ///< with a shadow map
-  int LightsSkipped = 0; ///< that are on and need none
+  int Lights = 0;        ///< lights with a shadow map
+  int LightsSkipped = 0; ///< lights that are on and need no shadow map
   int LayersDrawn = 0;
-  int LayersReused = 0; ///< because nothing that they depend on changed
+  int LayersReused = 0;          ///< layers kept because nothing that they depend on changed
   std::int64_t ShadowMemory = 0; ///< bytes of maps, tables and view samples
 };
 }

@@ -66,7 +66,7 @@ struct Builder
     }
   }
 
-  // Most are of two cells.
+  // Adds each edge once: most edges belong to two cells.
   void AddEdges()
   {
     ForEachCell(this->Data->GetPolys(), [this](vtkIdType count, const vtkIdType* ids) {
@@ -187,7 +187,7 @@ struct Builder
     }
   }
 
-  // Points in the order of their first use, and none that nothing uses.
+  // Sorts points by their first use, and drops those that nothing uses.
   void CompactPoints()
   {
     constexpr std::uint32_t unused = ~0u;

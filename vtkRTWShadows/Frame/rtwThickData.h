@@ -27,7 +27,7 @@ struct ThickSegment
   static std::uint32_t Point(std::uint32_t end) { return end & ~JoinedBit; }
 };
 
-/// As many as a cluster holds at most, and their bounds without any thickness.
+/// No more segments than a cluster holds, and their bounds without any thickness.
 struct ThickBlock
 {
   static constexpr std::size_t MostSegments = 64;

@@ -10,12 +10,12 @@ struct ThickLook
   enum class Shape
   {
     Surface, ///< triangles, and what lines and vertices the mesh has
-    Edges,   ///< of all cells, and its vertices
-    Points   ///< of all cells
+    Edges,   ///< the edges of all cells, and the mesh's vertices
+    Points   ///< the points of all cells
   };
 
   Shape Drawn = Shape::Surface;
-  bool AllPoints = false; ///< those of all cells as well, whatever else is drawn
+  bool AllPoints = false; ///< whether the points of all cells are drawn as well, whatever else is
   double LineWidth = 1;   ///< pixels
   double PointSize = 1;
 };

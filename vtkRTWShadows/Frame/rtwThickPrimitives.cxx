@@ -18,11 +18,12 @@ namespace rtw
 namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
-// In pixels: up to these a half circle of one, two and four pieces is round enough. Single pixels are cheap, because they are many.
+// Widths, in pixels, up to which a half circle of one, two and four pieces is round enough. Single
+// pixels are cheap, because they are many.
 constexpr double Single = 1.5, Thin = 3, Medium = 10;
-constexpr int MostGroups = 32768; // of a dispatch, along an axis
+constexpr int MostGroups = 32768; // work groups of a dispatch along an axis
 
-// As the shader declares them.
+// A ThickGroup as rtwFaceThick.glsl declares it.
 struct GpuGroup
 {
   glm::vec4 ToWorld[3];
@@ -43,7 +44,7 @@ std::uint32_t ClassOf(double width, bool isBalls)
   return width <= few ? 0 : width <= Thin ? 1 : width <= Medium ? 2 : 3;
 }
 
-// What a pixel is as wide as in the world, a unit of w in clip coordinates.
+// The width of a pixel in the world per unit of w in clip coordinates.
 double PixelSize(const View& view)
 {
   return 2 / (std::abs(view.ViewToClip[1][1]) * view.Height);
@@ -251,7 +252,7 @@ glm::dvec2 ThickPrimitives::Extent(const glm::dvec3& direction) const
   return { least, greatest };
 }
 
-// Once an update.
+// Places the runs, once after each update.
 void ThickPrimitives::PlaceRuns(const ThickPlace& place)
 {
   if (this->HasPlaced)

@@ -33,7 +33,7 @@ struct ThickRun
   std::uint32_t FirstSegment;
   std::uint32_t Segments;
   std::uint32_t Group;
-  std::uint32_t Class; ///< of Sides
+  std::uint32_t Class; ///< index into Sides
   bool IsBalls;
 
   bool operator==(const ThickRun& other) const;
@@ -41,7 +41,7 @@ struct ThickRun
   std::uint32_t GetTriangles() const { return this->Segments * 2 * Sides[this->Class]; }
 };
 
-/// Where in the store's buffers they are written.
+/// Places in the store's buffers where lines and points are written.
 struct ThickPlace
 {
   std::size_t FirstPoint;
@@ -59,7 +59,7 @@ public:
   bool IsEmpty() const { return this->Runs.empty(); }
   const std::vector<ThickRun>& GetRuns() const { return this->Runs; }
   std::size_t GetNumberOfPoints() const { return this->NumberOfPoints; }
-  /// Of each group, where its centre lies.
+  /// The place of each group's centre in the world.
   std::vector<glm::dvec3> GetCentres() const;
   /// The triangles of a run's segments, by its points.
   static std::vector<std::uint32_t> IndicesOf(std::uint32_t sides);
@@ -87,7 +87,7 @@ private:
     glm::dmat3 ToWorld;
     glm::dvec3 Centre;
     glm::dvec4 Distance; ///< along the view, from the centre on
-    glm::dvec2 Radii;    ///< of lines and points, a unit of it
+    glm::dvec2 Radii;    ///< radii of lines and points per unit of that distance
   };
 
   std::array<Buffer*, 4> Buffers();

@@ -17,7 +17,7 @@ namespace rtw
 {
 namespace
 {
-// What a margin of the focus makes up for.
+// The greatest changes of a view between two frames that a margin of the focus makes up for.
 constexpr double FarthestMove = 0.01; // of the scene's diagonal
 constexpr double LargestTurn = 3;     // degrees
 constexpr double LargestZoom = 1.05;

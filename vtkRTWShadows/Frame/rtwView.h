@@ -20,15 +20,17 @@ struct View
   glm::dmat4 ViewToWorld{ 1 };
   glm::dmat4 ViewToClip{ 1 };
   glm::dmat4 ClipToView{ 1 };
-  glm::dvec3 Origin{ 0 };  ///< of view coordinates, in world coordinates
-  glm::dvec3 Eye{ 0 };     ///< likewise; of a parallel view that is framed, the origin
+  glm::dvec3 Origin{ 0 }; ///< origin of view coordinates, in world coordinates
+  /// Place of the eye in world coordinates; in a parallel view that is framed, the origin.
+  glm::dvec3 Eye{ 0 };
   glm::dvec3 Forward{ 0 }; ///< unit
   bool Parallel = false;
   bool Framed = false;
   double Begin = 0;        ///< distance of the origin from the camera along the view
   glm::dvec2 Range{ 0 };   ///< distances of the near and the far plane of a framed view from the camera
-  glm::dvec2 DepthRow{ 0 }; ///< of the camera's own projection, which the picture's depth is by
-  int OriginX = 0; ///< of the viewport in what is drawn into, in pixels
+  /// Row of the camera's own projection, which the picture's depth follows.
+  glm::dvec2 DepthRow{ 0 };
+  int OriginX = 0; ///< left end of the viewport in the target, in pixels
   int OriginY = 0;
   int Width = 0;
   int Height = 0;
@@ -51,7 +53,7 @@ void FromGlm(const glm::dmat4& from, vtkMatrix4x4* to);
 void FollowStereo(vtkRenderer* renderer);
 /// Whether that camera now stands for the second eye of a pair.
 bool IsRightEye(vtkRenderer* renderer);
-/// Of the frame that a render state is for, in the viewport that is set.
+/// The view of the frame that a render state is for, in the viewport that is set.
 View ViewOf(const vtkRenderState* state);
 }
 

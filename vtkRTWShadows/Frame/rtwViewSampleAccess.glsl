@@ -2,10 +2,10 @@
 // its tangent plane does under the pixels beside it.
 uniform sampler2D rtwSamples;
 uniform vec4 rtwRay;    // clip to view coordinates, before the division: scale, offset
-uniform vec2 rtwShear;  // what a sample adds to x and y: of an eye beside the camera, in stereo
+uniform vec2 rtwShear;  // what a sample adds to x and y where the eye is beside the camera, in stereo
 uniform vec4 rtwOfSample;  // a sample to view coordinates: z is (x + y a) / (z + w a), and all are divided by the latter
 uniform vec4 rtwViewer; // in view coordinates: the eye and 1, or the direction to it and 0
-uniform float rtwViewBegin; // of view coordinates: distance from the camera along the view
+uniform float rtwViewBegin; // distance from the camera along the view at which view coordinates begin
 
 float rtwDivisor(float a)
 {
@@ -22,7 +22,7 @@ vec3 rtwToViewer(vec3 p)
   return rtwViewer.xyz - rtwViewer.w * p;
 }
 
-// Along the view, from the camera.
+// The distance of a point from the camera along the view.
 float rtwDistance(vec3 p)
 {
   return rtwViewBegin - p.z;
@@ -32,11 +32,11 @@ struct SampledPlane
 {
   bool seen;
   vec3 here;
-  vec3 right; // one pixel on
+  vec3 right; // the step along the plane to the pixel on the right; `above`: to the one above
   vec3 above;
 };
 
-// Under a point of a pixel, which lies beside its centre by so many pixels.
+// The plane under a point of a pixel, which lies `offset` pixels beside the pixel's centre.
 SampledPlane rtwPlaneAt(vec4 s, ivec2 pixel, vec2 offset)
 {
   vec2 step = 2.0 / vec2(textureSize(rtwSamples, 0));

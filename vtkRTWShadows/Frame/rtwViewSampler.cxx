@@ -75,7 +75,7 @@ void ViewSampler::Allocate(int samples)
   }
 }
 
-// Of the target that is bound.
+// Finds where the samples of the bound target lie in a pixel.
 void ViewSampler::FindOffsets(int samples)
 {
   this->Offsets.assign(static_cast<std::size_t>(std::max(samples, 1)), glm::vec2(0));
@@ -200,7 +200,7 @@ void ViewSampler::PrimeDepth(double farther)
 void ViewSampler::BindDepth(const Program& program, double farther) const
 {
   constexpr float share = 1e-3f;
-  constexpr double rounding = 5e-7; // of the picture's depth, some steps of 24 bits
+  constexpr double rounding = 5e-7; // rounding of the picture's depth, some steps of 24 bits
   const glm::dvec2 back = DepthToSample(this->Viewed);
   const double way = farther < 0 ? -1 : 1;
   glUniform2i(program.Location("rtwOrigin"), this->Viewed.OriginX, this->Viewed.OriginY);

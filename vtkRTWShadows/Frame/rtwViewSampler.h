@@ -25,25 +25,27 @@ public:
   bool Build();
   std::string GetLog() const;
 
-  /// Draws the receivers of the store; without `own`, which Build() has to have allowed, it only
-  /// clears. With so many samples a pixel, where they are more than one.
+  /// Draws the receivers of the store, with `samples` samples a pixel; without `own`, which needs a
+  /// successful Build(), it only clears.
   bool Render(const View& view, const GeometryStore& store, bool own, int samples = 1);
   /// Takes the samples from a frame that has been drawn, one for each square of so many pixels a side.
   bool Resample(const LastFrame& frame, int stride);
-  /// Makes the samples' target that of drawing again, for what VTK's mappers have to add.
+  /// Makes the samples' target the target of drawing again, for what VTK's mappers have to add.
   bool BindTarget();
-  /// When all is drawn: of several samples a pixel, finds the one that stands for it.
+  /// Ends drawing: where a pixel has several samples, finds the one that stands for the pixel.
   void Finish();
 
-  /// Draws them as depth, a little farther than they are, into the target and viewport that are bound. `farther` is a distance that
-  /// rounding doesn't exceed.
+  /// Draws the samples as depth, a little farther than they are, into the target and viewport that
+  /// are bound. `farther` is a distance that rounding doesn't exceed.
   void PrimeDepth(double farther);
-  /// Gives a program the samples, and, where there are several a pixel, them, as a second texture.
+  /// Gives a program the samples, one a pixel, and, where pixels have several, all of them as a
+  /// second texture.
   void Bind(const Program& program) const;
-  /// And what rtwSampleDepth.glsl needs to make them depth, farther by that distance or, below 0,
-  /// nearer, and by a share of theirs.
+  /// Gives a program what rtwSampleDepth.glsl needs to turn samples into depths that lie farther by
+  /// that distance or, if it is below 0, nearer, and by a share of the sample's own distance.
   void BindDepth(const Program& program, double farther) const;
-  /// How many samples each pixel has, where they lie from its centre, in pixels, and they.
+  /// Samples of each pixel: their number, their places from the pixel's centre, in pixels, and the
+  /// texture that holds them.
   int GetSamplesAPixel() const { return static_cast<int>(this->Offsets.size()); }
   const std::vector<glm::vec2>& GetOffsets() const { return this->Offsets; }
   const Texture& GetManySamples() const { return this->Many; }
@@ -63,7 +65,7 @@ private:
   View Viewed;
   std::vector<glm::vec2> Offsets{ glm::vec2(0) };
   Texture Depth, Samples, Resampled;
-  Texture Many; ///< where there are several a pixel
+  Texture Many; ///< all samples, where pixels have several
   const Texture* Current = &Samples;
   Framebuffer Target, ScreenTarget;
   Program Culling, Drawing, Priming, Resampling, Resolving;

@@ -70,7 +70,7 @@ void Buffer::Clear()
 {
   const BriefChange change;
   BindBuffer(GL_COPY_WRITE_BUFFER, this->Id);
-  // Of a given value Mesa skips what the pixel store says.
+  // Without a value, Mesa doesn't look at the pixel store; with one it would skip as that says.
   glClearBufferData(GL_COPY_WRITE_BUFFER, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
 }
 

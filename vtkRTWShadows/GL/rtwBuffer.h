@@ -18,7 +18,7 @@ public:
   /// Makes room for at least so many bytes; what was in it survives only where `keep` is set.
   void Reserve(std::size_t bytes, bool keep = false);
   void Write(std::size_t offset, const void* data, std::size_t bytes);
-  /// From another buffer, on the GPU.
+  /// Copies bytes from another buffer, on the GPU.
   void Copy(std::size_t to, const Buffer& other, std::size_t from, std::size_t bytes);
   void Read(std::size_t offset, void* data, std::size_t bytes) const;
   template <class T>

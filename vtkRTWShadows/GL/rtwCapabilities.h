@@ -14,10 +14,10 @@ struct Capabilities
   bool FastUniforms = false;
   int MaximumTextureSize = 0;
   int MaximumLayers = 0;
-  int MaximumTexels = 0;  ///< of a buffer texture
-  int MaximumSamples = 0; ///< a pixel, of a texture
+  int MaximumTexels = 0;  ///< most texels of a buffer texture
+  int MaximumSamples = 0; ///< most samples a pixel of a texture
 
-  /// Of the context that is current.
+  /// The capabilities of the context that is current.
   static Capabilities Query();
 };
 }

@@ -17,7 +17,7 @@ public:
   /// Draws what decides: whether any fragment of it is left. While somebody else's query counts fragments there can be
   /// none of ours, and nothing of it is said to be left.
   void Decide(const std::function<void()>& draw);
-  /// Draws and dispatches, if one was.
+  /// Draws and dispatches, if Decide() found a fragment left.
   void Draw(const std::function<void()>& draw) const;
   void Release();
   void Abandon() { this->Id = 0; }

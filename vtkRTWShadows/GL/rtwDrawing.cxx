@@ -9,7 +9,7 @@ namespace rtw
 {
 namespace
 {
-constexpr GLenum Modes[] = { GL_TRIANGLES, GL_LINES, GL_POINTS }; // as Primitive
+constexpr GLenum Modes[] = { GL_TRIANGLES, GL_LINES, GL_POINTS }; // in the order of Primitive
 }
 
 void ShowWhatWasWritten()

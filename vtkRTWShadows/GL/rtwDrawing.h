@@ -10,7 +10,7 @@ namespace rtw
 {
 class Buffer;
 
-/// As OpenGL lays it out in a buffer for indirect draws.
+/// A draw call as OpenGL lays it out in a buffer for indirect draws.
 struct DrawCommand
 {
   std::uint32_t Count;
@@ -53,8 +53,8 @@ public:
   PulledVertices(const PulledVertices&) = delete;
   PulledVertices& operator=(const PulledVertices&) = delete;
 
-  /// Points are as large as the shader says. Commands of four numbers each: vertices, instances,
-  /// first vertex, first instance.
+  /// Draws by commands in a buffer; points are as large as the shader says. Commands are of four
+  /// numbers each: vertices, instances, first vertex, first instance.
   void DrawIndirect(
     Primitive primitive, const Buffer& commands, std::size_t offset, int count, std::size_t stride);
   void Release();
@@ -72,11 +72,11 @@ public:
   ScreenTriangle(const ScreenTriangle&) = delete;
   ScreenTriangle& operator=(const ScreenTriangle&) = delete;
 
-  /// Colour, with no depth test and no blending.
+  /// Draws colour, with no depth test and no blending.
   void Draw();
-  /// Depth alone, where it is less.
+  /// Draws depth alone, where it is less.
   void DrawDepth();
-  /// Colour, by its alpha, where depth is less or equal; depth stays.
+  /// Draws colour, blended by its alpha, where depth is less or equal; depth stays.
   void DrawOver();
   void Release();
   void Abandon() { this->Id = 0; }
@@ -87,11 +87,12 @@ private:
   unsigned int Id = 0;
 };
 
-/// That a point can have, in pixels.
+/// The largest size that a point can have, in pixels.
 float LargestPointSize();
 /// Runs the compute program in use, then makes what it wrote visible to all that follows.
 void Dispatch(int groupsX, int groupsY = 1, int groupsZ = 1);
-/// The same; how many groups there are along x, y and z stands in a buffer.
+/// Runs the compute program in use like Dispatch(), with the numbers of groups along x, y and z
+/// from a buffer.
 void DispatchIndirect(const Buffer& groups, std::size_t offset);
 /// Makes what programs wrote visible to all that follows, which waits for what they read.
 void ShowWhatWasWritten();

@@ -19,7 +19,7 @@ public:
   /** What is asked for. */
   struct Request
   {
-    int DeviceIndex = -1; ///< of the enumerated devices; -1: the first that works
+    int DeviceIndex = -1; ///< number of the enumerated device; -1: the first that works
     int MaximumMajor = 4; ///< the highest OpenGL version to ask the driver for
     int MaximumMinor = 6;
 

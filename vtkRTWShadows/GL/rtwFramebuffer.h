@@ -16,9 +16,9 @@ public:
   /// Makes it the target of drawing, of that layer of each texture, over its whole area. False where
   /// the driver can't draw into the two.
   bool Bind(const Texture& depth, const Texture* colour, int layer = 0);
-  /// As Bind, for colour alone.
+  /// The same as Bind(), for colour alone.
   bool BindColour(const Texture& colour, int layer = 0);
-  /// Depth to 1 and the colour image to that value in each component.
+  /// Clears depth to 1 and the colour image to that value in each component.
   static void Clear(float colour);
   void Release();
   void Abandon() { this->Id = 0; }

@@ -32,7 +32,7 @@ public:
   void Set(const char* uniform, float x, float y) const;
   void Set(const char* uniform, float x, float y, float z) const;
   void SetMatrix(const char* uniform, const float* columns) const;
-  /// Where a uniform block finds its buffer, if the program has it.
+  /// Sets the binding at which a uniform block finds its buffer, if the program has such a block.
   void SetBlock(const char* block, unsigned int binding) const;
   void Release();
   void Abandon() { this->Id = 0, this->Failed = false; }

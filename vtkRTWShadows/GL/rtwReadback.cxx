@@ -17,7 +17,7 @@ GLenum Wait(void* fence, GLuint64 nanoseconds)
 }
 }
 
-// The handles of one that nobody released went with their context.
+// The handles of a readback that nobody released went with their context.
 Readback::~Readback() = default;
 
 void Readback::Start(const Buffer& from, std::size_t bytes)

@@ -23,8 +23,8 @@ public:
   bool IsUnderWay() const { return this->Fence != nullptr; }
   /// Whether what was asked for can be read without waiting.
   bool IsReady() const;
-  /// Gives it, having waited for it if need be, and is no longer under way. False where nothing was
-  /// asked for, or the GPU has failed.
+  /// Gives what was asked for, having waited for it if need be, and ends the request. False where
+  /// nothing was asked for, or the GPU has failed.
   bool Read(void* data);
   void Release();
   /// Forgets the handles of a context that is gone.

@@ -42,7 +42,7 @@ unsigned int StageTimers::Begin(const char* stage)
   return query.End;
 }
 
-// From the oldest on, so that the newest that is ready stays.
+// Collects from the oldest frame on, so that the results of the newest that is ready stay.
 void StageTimers::NextFrame()
 {
   this->Current = (this->Current + 1) % FramesKept;
@@ -53,7 +53,7 @@ void StageTimers::NextFrame()
   this->Forget(this->Frames[this->Current]);
 }
 
-// If all of the frame is ready.
+// Takes over a frame's results if all of them are ready.
 void StageTimers::Collect(std::vector<Query>& queries)
 {
   GLint ready = 0;

@@ -97,7 +97,7 @@ bool IsBinding(Kind what)
   return what < Kind::Capability;
 }
 
-// Of a texture or a sampler, the unit has to be active.
+// Reads what is bound or set; for a texture or a sampler its unit has to be active.
 void Read(Piece& piece)
 {
   switch (piece.What)
@@ -229,7 +229,7 @@ const StateRecord::Piece& StateRecord::Note(Kind what, unsigned int name, unsign
   return this->Pieces.back();
 }
 
-// They came with OpenGL 3.3.
+// Samplers came with OpenGL 3.3.
 bool StateRecord::HasSamplers()
 {
   if (!this->KnowsSamplers)
@@ -242,7 +242,8 @@ bool StateRecord::HasSamplers()
 void StateRecord::GiveBackBindings()
 {
   const int unit = GetActiveUnit();
-  // The last first: a target of several parts was noted before them, and binding a part binds it too.
+  // Gives back the last change first: a target of several parts was noted before them, and binding
+  // a part binds it too.
   std::for_each(this->Pieces.rbegin(), this->Pieces.rend(), [](const Piece& piece) {
     if (IsBinding(piece.What))
     {

@@ -51,7 +51,7 @@ public:
   struct Piece
   {
     Kind What;
-    unsigned int Name; ///< OpenGL's, of the target or the setting
+    unsigned int Name; ///< OpenGL's name of the target or the setting
     unsigned int Index;
     std::int64_t Value, Offset, Bytes;
   };
@@ -65,7 +65,8 @@ private:
   std::vector<Piece> Pieces;
 };
 
-/// For one operation that may stand anywhere: where nobody takes note of changes, its own are given back when it ends.
+/// Guards one operation that may stand anywhere: where nobody takes note of changes, its own are
+/// given back when it ends.
 class BriefChange
 {
 public:
@@ -84,16 +85,17 @@ constexpr int WorkUnit = 15;
 
 /// Binds a texture and no sampler, which would stand above the texture's own settings.
 void BindTexture(int unit, unsigned int target, unsigned int texture);
-/// Not for GL_ELEMENT_ARRAY_BUFFER, which belongs to a vertex array.
+/// Binds a buffer; not for GL_ELEMENT_ARRAY_BUFFER, which belongs to a vertex array.
 void BindBuffer(unsigned int target, unsigned int buffer);
 void BindBufferBase(unsigned int target, unsigned int index, unsigned int buffer);
 void BindBufferRange(unsigned int target, unsigned int index, unsigned int buffer,
   std::size_t offset, std::size_t bytes);
-/// For those capabilities of which vtkOpenGLState keeps no record, or doesn't give them back.
+/// Switches a capability; only for those of which vtkOpenGLState keeps no record, or which it
+/// doesn't give back.
 void SetEnabled(unsigned int capability, bool enabled);
-/// So that images of floats are read into memory without gaps.
+/// Sets the pixel store so that images of floats are read into memory without gaps.
 void PackTightly();
-/// So that images without data are made.
+/// Sets the pixel store so that images without data can be made.
 void UnpackNothing();
 }
 

@@ -23,16 +23,16 @@ public:
   {
     this->Allocate(components, elements, false);
   }
-  /// The same of unsigned integers.
+  /// The same for unsigned integers.
   void AllocateIntegers(int components, std::size_t elements)
   {
     this->Allocate(components, elements, true);
   }
   void Write(std::size_t first, const float* values, std::size_t elements);
-  /// From another buffer with elements as large, on the GPU.
+  /// Copies an element from another buffer with elements as large, on the GPU.
   void CopyElement(std::size_t to, const TexelBuffer& other, std::size_t from);
   void Read(float* values, std::size_t elements) const { this->Read(0, values, elements); }
-  /// Elements from that one on; of integers, their bits.
+  /// Reads elements from the first one on; integers as their bits.
   void Read(std::size_t first, void* values, std::size_t elements) const;
   /// Binds it to a texture unit, by its number.
   void Bind(int unit) const;

@@ -43,7 +43,7 @@ unsigned int Texture::GetTarget() const
   return this->Layers > 0 ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D;
 }
 
-// False where it is that already; else an empty one of that kind is left.
+// Makes it an empty texture of that kind; false where it is one already.
 bool Texture::Becomes(Format format, int width, int height, int layers, int samples)
 {
   if (this->Id && this->Kind == format && this->Width == width && this->Height == height &&

@@ -25,17 +25,18 @@ public:
   Texture(const Texture&) = delete;
   Texture& operator=(const Texture&) = delete;
 
-  /// Makes it so large, of that format; nothing happens where it already is. `layers` 0 is no array.
+  /// Makes it a texture of that format and size; nothing happens where it already is. `layers` 0 is
+  /// no array.
   void Allocate(Format format, int width, int height, int layers = 0);
-  /// Likewise, with so many samples a pixel, fixed in place, to be drawn into and fetched one by
-  /// one.
+  /// Makes it a texture with so many samples a pixel, fixed in place, to be drawn into and fetched
+  /// one by one.
   void AllocateSamples(Format format, int width, int height, int samples);
   /// Copies as large a part of what is drawn into, from that pixel on; of the depth, if it is a depth texture.
   /// False where that has several samples a pixel, of which there is no copy.
   bool CopyFromTarget(int x, int y) const;
   /// Binds it to a texture unit, by its number.
   void Bind(int unit) const;
-  /// One layer (or all, where it is no array), row by row from the bottom, as floats.
+  /// Reads one layer (or all, where it is no array), row by row from the bottom, as floats.
   void ReadFloats(int layer, float* values) const;
   void Release();
   void Abandon() { this->Id = 0, this->Width = this->Height = 0; }
@@ -44,7 +45,8 @@ public:
   int GetWidth() const { return this->Width; }
   int GetHeight() const { return this->Height; }
   int GetLayers() const { return this->Layers; }
-  int GetSamples() const { return this->Samples; } ///< a pixel; 0 where it is no such texture
+  /// Samples a pixel; 0 for a texture that AllocateSamples() did not make.
+  int GetSamples() const { return this->Samples; }
   unsigned int GetTarget() const;
   int GetComponents() const;
   std::size_t GetMemory() const; ///< in bytes

@@ -34,7 +34,7 @@ bool IsOneOf(vtkMapper* mapper, std::initializer_list<const char*> names)
 
 namespace
 {
-// Its arrays are protected, and nothing else tells what is being drawn.
+// Opens a mapper's protected arrays: nothing else tells what is being drawn.
 struct OpenMapper : vtkOpenGLPolyDataMapper
 {
   static vtkOpenGLVertexArrayObject* ArrayOf(vtkOpenGLPolyDataMapper* mapper, PrimitiveTypes kind)

@@ -20,19 +20,21 @@ bool IsCompositeMeshMapper(vtkMapper* mapper);
 vtkCompositeDataDisplayAttributes* CompositeAttributesOf(vtkMapper* mapper);
 /// Whether a mapper draws one mesh, as it is; false for its subclasses, such as the imposters.
 bool IsMeshMapper(vtkMapper* mapper);
-/// Its class and address, and the name that somebody gave it, where VTK has such names (from 9.2 on).
+/// An object's class and address, and the name that somebody gave it, where VTK has such names
+/// (from 9.2 on).
 std::string NameOf(vtkObject* object);
 /// Whether a renderer without depth peeling blends translucent props whatever their order: until 9.5 each does.
 bool BlendsInAnyOrder(vtkRenderer* renderer);
 
-/// What a mesh mapper keeps apart.
+/// The kinds of primitives that a mesh mapper keeps apart.
 enum class MeshPrimitive
 {
   Points,
   Lines,
   Others
 };
-/// Which of them a mapper draws from an array; others as well where it is none of a mesh mapper's.
+/// The kind of primitives that a mapper draws from an array; Others also where the array is none of
+/// a mesh mapper's.
 MeshPrimitive PrimitiveOf(vtkAbstractMapper* mapper, vtkOpenGLVertexArrayObject* array);
 }
 

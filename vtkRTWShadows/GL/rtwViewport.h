@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where VTK draws.
+// The viewport that VTK draws into.
 #ifndef rtwViewport_h
 #define rtwViewport_h
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a frame has for an analysis to look at.
+// The data of a frame that an importance analysis looks at.
 #ifndef rtwAnalysisInput_h
 #define rtwAnalysisInput_h
 
@@ -19,19 +19,23 @@ struct AnalysisInput
 {
   const ViewSampler& Samples;
   const LayerBlocks& Blocks;
-  int Stride = 1;       ///< every how many pixels there is a sample
+  int Stride = 1;       ///< pixels from one sample to the next along both axes
   double SceneSize = 0; ///< its diagonal
   const DenseLayers* LightImages =
-    nullptr; ///< a layer a light, unwarped, of the size that was asked for; none if none was
+    /// Depth images from the lights, unwarped, one for each map layer; null if none were asked for.
+    nullptr;
   const Texture* LastMask =
-    nullptr;     ///< of the last frame, a layer a light; none where there was none
-  View LastView; ///< that mask's
+    /// The shadow mask of the last frame, a layer for each light; null if there is none.
+    nullptr;
+  View LastView; ///< the view that LastMask was drawn for
   bool AreAll = false; ///< whether no receiver in view is missing from samples and Unsampled
-  /// On each light plane, of other receivers and what a filter sees from there.
+  /// For each map layer, bounds on the light plane of receivers without view samples, and of what a
+  /// filter reaches from there.
   std::vector<Rectangle> Unsampled;
   double FilterWorld = 0;  ///< how far a filter looks, in world units,
-  double FilterTexels = 0; ///< and on the map, a texel's neighbours aside
-  double Straight = 0;     ///< how long a bent edge is drawn straight, of the map's side
+  double FilterTexels = 0; ///< and in texels on the map, a texel's neighbours aside
+  /// Length over which a bent edge is drawn straight, as a share of the map's side.
+  double Straight = 0;
 };
 }
 

@@ -1,5 +1,6 @@
-// Forward analysis (Rosen 2012, section 4.1): each texel of the light's depth image asks for the pixels that it covers. Near the camera
-// one may stand for a million times as much as far from it, so that sums need 64 bits from the start.
+// Forward analysis (Rosen 2012, section 4.1): each texel of the light's depth image asks for the pixels that it covers.
+// A texel near the camera may stand for a million times as many pixels as one far from it, so that sums need 64 bits
+// from the start.
 void rtwAddLarge(uint at, float value)
 {
   float scaled = min(value * FORWARD_UNIT, 1e15);

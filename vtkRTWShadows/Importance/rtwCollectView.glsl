@@ -1,6 +1,6 @@
 // Backward analysis (Rosen 2012, section 4.1): a work group collects a tile of view samples, then adds what it found.
 const int MOST_CELLS = 2048;
-const float MOST_PARTS = 8.0; // of a sample
+const float MOST_PARTS = 8.0; // parts that a sample's square is divided into along an axis
 shared uint rtwTile[PROFILES * 2 * MOST_CELLS];
 
 void rtwAdd(int profile, ivec2 cell, uvec2 value)
@@ -10,7 +10,7 @@ void rtwAdd(int profile, ivec2 cell, uvec2 value)
   atomicAdd(rtwTile[first + MOST_CELLS + cell.y], value.y);
 }
 
-// A sum in whole numbers, of which its parts lose nothing.
+// What a sample asks for as a whole number, divided among cells without losing any of it.
 struct Share
 {
   vec2 whole;
@@ -39,7 +39,7 @@ void rtwCollect(ivec2 cell, uvec2 value, bool edge)
   }
 }
 
-// Its square is spread over the cells that the square's pixels would fall to.
+// Spreads a sample's square of pixels over the cells that the pixels would fall to.
 void rtwVisit(LitSample s)
 {
   vec4 focus = rtwFocus(rtwLayer);

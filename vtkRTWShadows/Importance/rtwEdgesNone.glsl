@@ -1,4 +1,4 @@
-// Nobody asks where shadow edges are.
+// No importance function in use depends on shadow edges.
 bool rtwAtShadowEdge(LitSample s, vec4 focus)
 {
   return true;

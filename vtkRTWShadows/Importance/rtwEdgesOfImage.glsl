@@ -1,6 +1,6 @@
 // Shadow edges are where the depth of the light's image is discontinuous between a texel and one of its eight neighbours (Rosen 2012,
 // section 5.3). What the slope of either surface explains is no step, so that a low threshold finds small ones and no slopes.
-uniform vec3 rtwEdgeDepth; // what differs: times the square of (y + z · depth)
+uniform vec3 rtwEdgeDepth; // least difference of depth at an edge: x times the square of (y + z · depth)
 
 bool rtwAtShadowEdge(LitSample s, vec4 focus)
 {
@@ -10,7 +10,7 @@ bool rtwAtShadowEdge(LitSample s, vec4 focus)
   vec2 slope = rtwImageGradient(texel);
   float inverse = rtwEdgeDepth.y + rtwEdgeDepth.z * here;
   float differs = rtwEdgeDepth.x * inverse * inverse;
-  // Where the light meets nothing although there is a sample, a border runs through the texel.
+  // A texel in which the light meets nothing although there is a sample is crossed by a border.
   bool edge = here >= 1.0;
   for (int k = 0; k < 9; ++k)
   {

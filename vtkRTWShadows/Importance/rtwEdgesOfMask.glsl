@@ -4,7 +4,7 @@ uniform mat4 rtwViewToLastClip;
 uniform int rtwMaskLayer;
 uniform int rtwHasMask;
 
-// What isn't known to be elsewhere counts as an edge.
+// Whether a sample was beside a shadow edge; true where the last frame doesn't tell.
 bool rtwAtShadowEdge(LitSample s, vec4 focus)
 {
   ivec2 last = textureSize(rtwLastMask, 0).xy - 1;

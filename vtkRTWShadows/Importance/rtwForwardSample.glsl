@@ -1,4 +1,5 @@
-// Forward: from a texel of the light's depth image back into the view (Rosen 2012, section 4.1).
+// Forward analysis (Rosen 2012, section 4.1): a sample from a texel of the light's depth image, looked back into the
+// view.
 uniform mat4 rtwLightToView; // light-plane coordinates and depth, homogeneous
 uniform vec2 rtwViewSize;    // in pixels
 
@@ -36,7 +37,7 @@ LitSample rtwLoadTexel(ivec2 texel, vec4 focus)
   s.normal *= dot(s.normal, toViewer) < 0.0 ? -1.0 : 1.0;
   s.onLight = focus.xz + q / focus.yw;
   s.w = rtwOnLight(here).z;
-  // The inverse of how texels lie on the screen.
+  // The footprint of a pixel follows from the inverse of how texels lie on the screen.
   s.footprint = vec2(length(dy), length(dx)) / pixels * side / focus.yw;
   s.across = s.footprint;
   s.area = side.x * side.y / (pixels * focus.y * focus.w);

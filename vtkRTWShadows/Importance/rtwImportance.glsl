@@ -11,17 +11,17 @@ const int CENTRE_OF_INTEREST = 32;
 const int USER_FUNCTION = 64;
 const int FOOTPRINT = 128;
 const int SAMPLE_COUNT = 256;
-const float ALPHA = 0.001;         // of what lies at no shadow edge (section 5.3)
-const float GRAZING = 1e-3;        // least area of a footprint, of the square over its longer side
-const float LARGEST = 1048575.0;   // 4096 samples of a tile that all ask for so much don't overflow a sum
+const float ALPHA = 0.001;         // share of its importance that a sample keeps away from shadow edges (section 5.3)
+const float GRAZING = 1e-3;        // least area of a footprint, as a share of the square over its longer side
+const float LARGEST = 1048575.0;   // the most that a sample asks for: 4096 samples of a tile don't overflow a sum
 
 layout(std430, binding = 0) buffer Profile
 {
-  uint rtwProfile[]; // an axis of a layer, a profile, a cell: low and high part of a sum, or the bits of a maximum
+  uint rtwProfile[]; // for each axis of a layer, profile and cell: low and high part of a sum, or the bits of a maximum
 };
 uniform int rtwLayer;
 uniform float rtwNearest; // distance that has the importance 1
-uniform float rtwBeta;    // bonus of a surface that is seen head on
+uniform float rtwBeta;    // bonus of a surface that is seen head on, β of section 5.4
 uniform mat4 rtwViewToClip;
 uniform vec2 rtwAspect;      // from clip coordinates to halves of the picture's smaller side
 uniform vec4 rtwInterest;    // centre in view coordinates, and radius there or on the screen
@@ -39,7 +39,7 @@ bool rtwIsSum()
   return rtwIsOn(SQRT_DEMAND | SAMPLE_COUNT);
 }
 
-// All of the bonus in the sphere, none from its double on.
+// The share of the bonus at a position: 1 in the sphere, 0 from twice its radius on.
 float rtwInterestAt(vec3 position)
 {
   vec4 clip = rtwViewToClip * vec4(position, 1.0);
@@ -47,7 +47,7 @@ float rtwInterestAt(vec3 position)
   return 1.0 + rtwInterestBonus * (1.0 - smoothstep(1.0, 2.0, away / rtwInterest.w));
 }
 
-// What the light alone would give a white, matte surface.
+// What the light alone, unshadowed, gives a white matte surface: the cosine of its angle, 0 to 1.
 float rtwLuminance(LitSample s)
 {
   return clamp(dot(s.normal, normalize(rtwTowardsLight.xyz - rtwTowardsLight.w * s.position)), 0.0, 1.0);
@@ -57,7 +57,7 @@ float rtwUserValue(LitSample s, vec4 focus)
 {
   vec3 fromCamera = s.position - vec3(0.0, 0.0, rtwViewBegin);
   float value = rtwUserFunction(fromCamera, s.normal, -fromCamera.z, rtwLuminance(s), s.footprint * focus.yw);
-  return value > 0.0 ? min(value, LARGEST) : 0.0; // nor is what is not a number
+  return value > 0.0 ? min(value, LARGEST) : 0.0; // 0 also where it is not a number
 }
 
 float rtwFunction(LitSample s, vec4 focus, bool edge)
@@ -86,10 +86,10 @@ float rtwFunction(LitSample s, vec4 focus, bool edge)
   {
     value *= rtwUserValue(s, focus);
   }
-  return edge || rtwIsOn(SQRT_DEMAND) ? value : ALPHA * value; // demand has a profile of its own at edges
+  return edge || rtwIsOn(SQRT_DEMAND) ? value : ALPHA * value; // demand at edges has a profile of its own
 }
 
-// Along both axes; a sum's in its unit.
+// What a sample asks for along both axes; if it is to be summed, in the unit of sums.
 vec2 rtwAsked(LitSample s, vec4 focus, bool edge)
 {
   float value = rtwFunction(s, focus, edge);

@@ -38,7 +38,7 @@ namespace rtw
 {
 namespace
 {
-constexpr int Group = 16; // of rtwImportance.glsl
+constexpr int Group = 16; // side of a work group of rtwImportance.glsl
 constexpr int DepthUnit = 1;
 constexpr int GradientUnit = 2;
 constexpr int MaskUnit = 3;
@@ -46,14 +46,16 @@ constexpr int MaskUnit = 3;
 constexpr int CountUnit = 1024;
 constexpr int ForwardUnit = 256;
 
-// The distance from which on a window's near plane shows, for a scale that keeps numbers near 1.
+// The distance of a window's near plane, from which on something is seen: the scale that keeps
+// importance near 1.
 float NearestDistance(const View& view)
 {
   const glm::dvec4 nearest = view.ClipToView * glm::dvec4(0, 0, -1, 1);
   return float(view.Begin - nearest.z / nearest.w);
 }
 
-// A function's body, or an expression. Its lines are its own, of a source 0.
+// The body of the user's function, made of a body or an expression. Compilers count its lines by
+// themselves, as source 0.
 std::string BodyOf(const std::string& code)
 {
   const bool isBody = code.find("return") != std::string::npos;
@@ -71,8 +73,8 @@ void SetVector(const Program& program, const char* uniform, const glm::dvec4& v)
   glUniform4f(program.Location(uniform), float(v.x), float(v.y), float(v.z), float(v.w));
 }
 
-// What a length along the light is in depth: of it times the square of (y + z · depth), which is 1
-// / w.
+// The depth that a length along the light amounts to: x times the square of (y + z · depth), which
+// is 1 / w.
 glm::vec3 EdgeDepth(const LightFrame& frame, double length)
 {
   const double scale = frame.DepthOfLength();

@@ -46,12 +46,12 @@ enum class Collected
 {
   Largest,
   Sum,
-  SumUnderRoot ///< whose square root is to be taken
+  SumUnderRoot ///< a sum whose square root is to be taken
 };
 
 struct ImportanceSettings
 {
-  int Functions = SqrtDemand; ///< of ImportanceFunction
+  int Functions = SqrtDemand; ///< bits of ImportanceFunction
   Analysis Method = Analysis::Backward;
   double NormalBonus = 2; ///< β (Rosen 2012, section 5.4)
   double EdgeThreshold =
@@ -59,9 +59,10 @@ struct ImportanceSettings
   bool InterestInView = true;     ///< whether the view's centre is of interest, and not a sphere
   glm::dvec3 InterestCentre{ 0 }; ///< in world coordinates
   double InterestRadius = 1;      ///< in world units
-  double InterestShare = 0.5;     ///< the radius in the view, of half the picture's smaller side
+  /// The radius in the view, as a share of half the picture's smaller side.
+  double InterestShare = 0.5;
   double InterestBonus = 4;
-  std::string Code; ///< of the user's function, in GLSL
+  std::string Code; ///< the user's importance function in GLSL: a body or an expression
 
   bool NeedsLightImages() const;
 };
@@ -75,14 +76,14 @@ public:
   explicit ImportanceStage(std::function<void(const std::string& log)> refused);
   bool Build();
   const std::string& GetLog() const { return this->Analysing->GetLog(); }
-  /// One frame a layer; a profile holds two integers a cell. Of each layer and axis there are as
-  /// many as GetProfiles() says.
+  /// Fills the profiles of each layer, of which `frames` has one each. Each layer and axis has
+  /// GetProfiles() of them; a profile holds two integers for each cell.
   void Analyse(const std::vector<LightFrame>& frames, const ImportanceSettings& settings,
     const AnalysisInput& input, const LayerTable& table);
   const Buffer& GetProfile() const { return this->Profile; }
   int GetProfiles() const { return this->InForce.Profiles; } ///< 2: plain, and at shadow edges
   Collected GetCollected() const { return this->Holds; }
-  double GetUnit() const; ///< of sums
+  double GetUnit() const; ///< the value of an integer sum of 1
   void Dispose(Disposal dispose);
 
 private:

@@ -1,4 +1,5 @@
-// The depth image that a light sees, unwarped over the focus: of each texel the depth, and how it changes over the image.
+// The depth image that a light sees, unwarped over the focus: the depth of each texel, and the depth's gradient over
+// the image.
 uniform sampler2DArray rtwImageDepths;
 uniform sampler2DArray rtwImageGradients;
 uniform int rtwImageLayer;

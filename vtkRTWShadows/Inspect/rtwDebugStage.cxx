@@ -80,7 +80,7 @@ void DebugStage::Paint(DebugView view, const MapOfLight& map, const Texture& mas
   map.Samples.BindDepth(this->Painting, -rounding);
   this->Painting.Set("rtwDebugView", static_cast<int>(view));
   this->Painting.Set("rtwOtherLayers", map.OtherLayers);
-  // Samples of a pixel lie on other surfaces than its centre.
+  // Some samples of a pixel lie on another surface than its centre.
   this->Painting.Set("rtwReach", HasSeveralSamples() ? 1 : 0);
   this->Painting.Set("rtwMask", MaskUnit);
   mask.Bind(MaskUnit);

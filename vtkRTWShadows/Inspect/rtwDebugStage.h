@@ -16,7 +16,7 @@ namespace rtw
 {
 class Texture;
 
-/// As vtkInspectableShadowMapPass::DebugViews.
+/// Debug views, numbered as vtkInspectableShadowMapPass::DebugViews.
 enum class DebugView
 {
   None,
@@ -35,16 +35,17 @@ public:
   /// driver can't.
   bool Build(const WarpShape& warp);
   std::string GetLog() const { return this->Painting.GetLog() + this->Measuring.GetLog(); }
-  /// Over what is drawn of the view samples in the target and viewport that are bound. Only SHADOW
-  /// looks at the mask. `rounding` is a distance that errors of depth don't exceed.
+  /// Paints a debug view over what is drawn of the view samples in the target and viewport that are
+  /// bound. Only SHADOW looks at the mask. `rounding` is a distance that errors of depth don't
+  /// exceed.
   void Paint(DebugView view, const MapOfLight& map, const Texture& mask, double rounding);
-  /// The aliasing error along s and t into a texture of two floats; false where that can't be drawn
-  /// into.
+  /// Draws the aliasing error along s and t into a texture of two floats; false where that can't be
+  /// drawn into.
   bool Measure(const MapOfLight& map, Texture& error);
   void Dispose(Disposal dispose);
 
 private:
-  const char* Warp = nullptr; ///< that is compiled
+  const char* Warp = nullptr; ///< name of the warp that the programs are compiled for
   Program Painting, Measuring;
   Framebuffer Target;
   ScreenTriangle Triangle;

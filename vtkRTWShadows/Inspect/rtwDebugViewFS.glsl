@@ -2,8 +2,8 @@
 // of them.
 uniform int rtwDebugView;
 uniform int rtwOtherLayers;
-uniform ivec2 rtwOrigin; // of the viewport
-uniform int rtwReach;    // to the pixels whose depth counts too
+uniform ivec2 rtwOrigin; // the viewport's corner in the target, in pixels
+uniform int rtwReach;    // distance, in pixels, of the pixels around whose depth counts too: 0 or 1
 uniform sampler2DArray rtwMask;
 uniform int rtwMaskLayer;
 out vec4 colour;
@@ -25,7 +25,7 @@ vec3 rtwAliasingColour(MapSample m)
   return rtwOnScale(ALIASING, max(error.x, error.y));
 }
 
-// Texels a length, in times the mean; of an area it is the square of that.
+// The colour of the number of texels along a length, in units of the mean; the number in an area is the square of that.
 vec3 rtwDensityColour(MapSample m)
 {
   return rtwOnScale(DENSITY, sqrt(abs(determinant(rtwWarpSlope(m.layer, m.q)))));
@@ -40,7 +40,8 @@ vec3 rtwLayersColour(ivec2 pixel, MapSample m)
   return isOnMap ? (0.4 + 0.6 * m.facing) * LAYER[layer % 6] : NEITHER;
 }
 
-// How much of the pixel lines across s and t cover, which are as wide on the screen everywhere; none where they are too dense to tell.
+// The share of the pixel that lines across s and t cover, which are as wide on the screen everywhere; none where they
+// are too dense to tell.
 vec2 rtwLines(MapSample m, float lines, float width)
 {
   vec2 at = lines * rtwWarp(m.layer, m.q);
@@ -59,7 +60,7 @@ vec4 rtwGridColour(MapSample m)
   return vec4(mix(s, t, cover.y / max(cover.x + cover.y, 1e-3)), max(cover.x, cover.y));
 }
 
-// What is drawn there may be as near as the nearest of the samples around.
+// The least depth of what is drawn at a pixel: that of the nearest of the samples around.
 float rtwDrawnDepth(ivec2 pixel)
 {
   ivec2 last = textureSize(rtwSamples, 0) - 1;

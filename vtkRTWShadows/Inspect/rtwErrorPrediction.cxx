@@ -25,8 +25,8 @@ namespace
 constexpr int Square = 16; // pixels a side
 constexpr int MaskUnit = 1;
 constexpr int OwnMaskUnit = 2;
-// Of the pixels at an edge that a texel's width misplaces by a pixel, the share that is wrong, as
-// measured against exact rays.
+// The share of pixels beside an edge that is wrong where a texel's width misplaces the edge by a
+// pixel, as measured against exact rays.
 constexpr double WrongPerPixel = 0.148;
 }
 
@@ -47,7 +47,8 @@ bool ErrorPrediction::Build(const WarpShape& warp)
     150);
 }
 
-// The shadows of the layer that is warped, alone: those that it lacks are of the other one.
+// Draws a mask of the warped layer alone: shadows that it lacks are those of the layer of casters
+// that only VTK's mappers draw.
 bool ErrorPrediction::DrawOwnMask(const DrawnShadows& shadows, const ReceiverShape& shape)
 {
   ReceiverShape own = shape;

@@ -18,7 +18,7 @@ namespace rtw
 struct DrawnShadows
 {
   MapOfLight Map;
-  const Texture& Mask; ///< of its samples, a layer a light
+  const Texture& Mask; ///< the shadow mask of the frame's samples, a layer for each light
   const ReceiverLights& Lights;
   const DenseLayers& Layers;
 };
@@ -37,10 +37,10 @@ private:
   bool Draw(const DrawnShadows& shadows);
   double Sum() const;
 
-  std::string Warp; ///< that the program is for
+  std::string Warp; ///< name of the warp that the program is compiled for
   Program Adding;
   MaskStage Own;
-  Texture Sums; ///< a texel a square of pixels
+  Texture Sums; ///< a texel for each square of pixels
   Framebuffer Target;
   ScreenTriangle Triangle;
 };

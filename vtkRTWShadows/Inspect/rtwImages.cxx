@@ -61,7 +61,8 @@ vtkSmartPointer<vtkImageData> ReadGrid(const LayerTable& table, int layer)
   return image;
 }
 
-// As rtwWarpPerspective.glsl has them.
+// The 3 x 3 matrix of a perspective warp, from its four numbers in the table
+// (rtwWarpPerspective.glsl).
 vtkSmartPointer<vtkImageData> MakeHomography(float low, float high, float strength, float eye)
 {
   const float scale = 1 / (high - low);

@@ -1,12 +1,12 @@
 // What a map's texels cost the picture, added up over a square of pixels: a shadow edge is misplaced by about a texel, so that the pixels
 // beside it are the more likely to be wrong the more pixels that is.
-uniform sampler2DArray rtwMask;    // of all casters
-uniform sampler2DArray rtwOwnMask; // of those in the light's own layer
-uniform int rtwMaskLayer;   // the light's, of both
+uniform sampler2DArray rtwMask;    // shadows of all casters
+uniform sampler2DArray rtwOwnMask; // shadows of the casters in the light's own layer alone
+uniform int rtwMaskLayer;   // the light's layer of both masks
 uniform int rtwOtherLayers; // how far behind it the layer of the other casters lies; 0: there is none
-out vec4 sums; // pixels that edges move by, and pixels, of those beside one; all pixels that face the light
+out vec4 sums; // over pixels beside an edge: the pixels that it moves by, and 1; and over all that face the light: 1
 
-const float WIDEST = 50.0; // what is wrong cannot be more so
+const float WIDEST = 50.0; // pixels that an edge can move by at most
 
 vec3 rtwSumsOf(ivec2 pixel)
 {

@@ -3,11 +3,13 @@
 layout(local_size_x = 256) in;
 layout(std430, binding = 1) writeonly buffer Blocks
 {
-  vec4 rtwBlockValues[]; // a block: bounds of its samples; of what all their pixels might hold; nearest, farthest
+  // For each block: bounds of its samples; bounds of what all their pixels might hold; nearest and farthest distance.
+  vec4 rtwBlockValues[];
 };
 layout(std430, binding = 2) buffer Range
 {
-  uint rtwRange[]; // a light: nearest, farthest, as the bits of floats, which are ordered as they are
+  // For each light: nearest and farthest distance, as the bits of positive floats, which have the floats' order.
+  uint rtwRange[];
 };
 uniform int rtwFirstBlock;
 uniform int rtwLight;

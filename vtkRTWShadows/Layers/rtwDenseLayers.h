@@ -16,7 +16,7 @@ namespace rtw
 class DenseLayers
 {
 public:
-  /// Of so many texels along s and t.
+  /// Makes layers of so many texels along s and t.
   void Allocate(const glm::ivec2& size, int layers);
   /// Makes a layer the target of drawing, cleared: nothing casts yet.
   bool BindTarget(int layer);

@@ -22,9 +22,9 @@ namespace rtw
 {
 namespace
 {
-constexpr float Margin = 1e-4f; // of the focus' extent, for rounding
+constexpr float Margin = 1e-4f; // a share of the focus' extent, for rounding
 
-// An order that floats and unsigned integers share, as in the shader.
+// The unsigned integer of rtwOrdered.glsl, which are in the order of the floats.
 std::uint32_t Ordered(double value)
 {
   const auto x = static_cast<float>(value);
@@ -55,7 +55,8 @@ std::string FocusStage::GetLog() const
   return this->Samples.GetLog() + this->BoxAdding.GetLog() + this->Writing.GetLog();
 }
 
-// In view coordinates: what of them lies in the depths of each layer.
+// Adds to the bounds of each layer the part of boxes in its depths; their corners are in view
+// coordinates.
 void FocusStage::AddBoxes(const std::vector<LightFrame>& frames,
   const std::vector<glm::dvec3>& corners, const View& view, const FilterReach& filter,
   const LayerTable& table)

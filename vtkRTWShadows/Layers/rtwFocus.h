@@ -21,8 +21,8 @@ struct View;
 /// How far beyond what the camera sees a filter looks.
 struct FilterReach
 {
-  double World = 0; ///< at the receiver, across the light
-  double Share = 0; ///< of the map's side
+  double World = 0; ///< world units at the receiver, across the light
+  double Share = 0; ///< a share of the map's side
 };
 
 class FocusStage
@@ -33,16 +33,16 @@ public:
   /// Bounds what the camera sees in each light, for Reduce() and for whoever splits it by depth
   /// into so many layers.
   void Bound(const std::vector<LightFrame>& lights, const BoundedSamples& input, int parts);
-  /// As SampleBounds::GetRange().
+  /// The same as SampleBounds::GetRange().
   const Buffer& GetRange() const { return this->Samples.GetRange(); }
-  /// One frame a layer. `also` are rectangles that a light's only layer must hold too: receivers
-  /// that aren't sampled. Of several layers each holds what lies in its depths of their boxes,
-  /// given by eight corners each.
+  /// Writes the focus of each layer, of which `frames` has one each. `also` are rectangles that a
+  /// light's only layer must hold too: receivers that aren't sampled. Of several layers each holds
+  /// what lies in its depths of their boxes, given by eight corners each.
   void Reduce(const std::vector<LightFrame>& frames, const std::vector<Rectangle>& also,
     const std::vector<glm::dvec3>& boxes, const BoundedSamples& input, const FilterReach& filter);
   /// Where each layer has samples, by the last Reduce().
   const LayerBlocks& GetBlocks() const { return this->Blocks; }
-  /// Samples are others by now.
+  /// Forgets where layers have samples, since the samples are others by now.
   void ForgetBlocks() { this->Blocks.Forget(); }
   std::size_t GetMemory() const { return this->Samples.GetMemory() + this->Blocks.GetMemory(); }
   void Dispose(Disposal dispose);

@@ -1,11 +1,11 @@
 // The bounds that a layer has to hold, as they grow.
 layout(std430, binding = 0) buffer Bounds
 {
-  uint rtwBounds[]; // a layer: low s, low t, high s, high t, as rtwOrdered() has them; then those of the second pass
+  uint rtwBounds[]; // for each layer: low s, low t, high s, high t, by rtwOrdered(); then the same for the second pass
 };
-uniform int rtwLayer; // the first at work
+uniform int rtwLayer; // the first layer at work
 uniform float rtwFilterWidth; // how far in the world a filter looks around a receiver
-uniform vec4 rtwWholeBounds;  // nothing outside the light's own bounds counts
+uniform vec4 rtwWholeBounds;  // the light's own bounds, outside of which nothing counts
 
 const vec4 NOTHING = vec4(1e30, 1e30, -1e30, -1e30);
 
@@ -33,7 +33,7 @@ void rtwAddBounds(int layer, vec4 found, int pass)
   atomicMax(rtwBounds[first + 3], rtwOrdered(found.w));
 }
 
-// True where a layer's samples, by the first pass, hold all of that.
+// Whether the bounds of a layer's samples from the first pass hold all of `maybe`.
 bool rtwIsSettled(int layer, vec4 maybe)
 {
   int first = 8 * layer;

@@ -1,4 +1,4 @@
-// Adds to a layer's bounds the parts of boxes that lie in its depths: where their edges do.
+// Adds to a layer's bounds the parts of boxes that lie in its depths, by the parts of their edges that do.
 layout(local_size_x = 64) in;
 layout(std430, binding = 1) readonly buffer Corners
 {
@@ -6,7 +6,7 @@ layout(std430, binding = 1) readonly buffer Corners
 };
 uniform int rtwNumberOfEdges;
 
-// Of the twelve: the corner that it begins at, and the bit of the other one.
+// One of a box's twelve edges: the corner that it begins at, and the bit that the corner at its other end differs in.
 ivec2 rtwEdge(int k)
 {
   int axis = k / 4;

@@ -1,5 +1,5 @@
-// Puts the reduced bounds into the warp table; where no sample is lit the light's own bounds or, where other layers may have samples, what
-// lies beside those, so that nothing is drawn.
+// Puts the reduced bounds into the warp table as the focus. A layer in which no sample is lit gets the light's own
+// bounds or, if other layers may have samples, a place beside those bounds, so that nothing is drawn.
 layout(local_size_x = 1) in;
 layout(std430, binding = 0) buffer Bounds
 {
@@ -11,8 +11,8 @@ layout(std430, binding = 1) writeonly buffer Table
 };
 uniform int rtwLayer;
 uniform vec4 rtwWholeBounds;
-uniform float rtwMargin; // a share of the extent
-uniform int rtwParts;    // layers that the light has
+uniform float rtwMargin; // a share of the focus' extent
+uniform int rtwParts;    // layers of the light
 
 void main()
 {

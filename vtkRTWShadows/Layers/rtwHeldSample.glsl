@@ -1,15 +1,15 @@
 // What a sample says of the bounds of what the camera sees.
-//
-// One of several pixels does not tell where the others lie. A first pass bounds the samples; where one might stand for more than all samples
-// hold, a second looks at each of its pixels: guessing there would give away much of the map, as a pixel near the horizon is as wide as a
-// landscape.
+// A sample that stands for several pixels does not tell where the other pixels' surfaces lie. A first pass bounds the
+// samples; where one might stand for more than all samples hold, a second looks at each of its pixels: guessing there
+// would give away much of the map, as a pixel near the horizon is as wide as a landscape.
 
 vec4 rtwHeld(LitSample s)
 {
   return rtwPlaced(rtwAround(s.onLight, vec2(rtwFilterWidth / s.w)));
 }
 
-// What the sample's pixels might hold: twice as far as a plane goes, which nears the horizon ever faster.
+// The bounds of what the sample's pixels might hold: twice as far as its plane goes, since a plane nears the horizon
+// ever faster.
 vec4 rtwHeldMaybe(LitSample s)
 {
   return rtwPlaced(rtwAround(s.onLight, rtwFilterWidth / s.w + 2.0 * float(rtwStride - 1) * s.across));

@@ -12,7 +12,7 @@ namespace rtw
 {
 namespace
 {
-constexpr int BlockSide = 4; // samples; as in rtwSampleBlocks.glsl
+constexpr int BlockSide = 4; // samples along a side of a block; BLOCK of rtwSampleBlocks.glsl
 constexpr int GroupSize = 256;
 constexpr unsigned int ListBinding = 4; // as in rtwVisitSamples.glsl
 constexpr int HeaderLength = 4;

@@ -15,13 +15,13 @@ class ViewSampler;
 class LayerBlocks
 {
 public:
-  /// Of samples every so many pixels.
+  /// The number of blocks, if there is a sample every so many pixels along both axes.
   static int Count(const ViewSampler& samples, int stride);
   /// Makes room for lists of so many layers of those samples, for rtwUniteBlocks.glsl to fill.
   void Start(int layers, const ViewSampler& samples, int stride);
-  /// There are none until then.
+  /// Forgets the lists: there are none until the next Start().
   void Forget() { this->Layers = 0; }
-  /// For the shader that fills the lists: binds them, and tells where they are.
+  /// Binds the lists for the shader that fills them, and tells it where they are.
   void BindForListing(const Program& program) const;
   /// Runs a program, which is in use, for the samples of a layer or, below 0, for all.
   void Dispatch(const Program& program, const ViewSampler& samples, int stride, int layer) const;
@@ -33,7 +33,7 @@ private:
 
   Buffer Lists;
   int Layers = 0;
-  int Blocks = 0; ///< that a list has room for
+  int Blocks = 0; ///< blocks that a list has room for
   int Stride = 0;
   int Width = 0, Height = 0;
 };

@@ -7,13 +7,13 @@ const int rtwFaces = RTW_FACES;
 #else
 uniform int rtwFaces; // 4, or 1: depths are not divided
 #endif
-uniform vec4 rtwSides[4]; // of the view frustum, planes in view coordinates, positive outside
+uniform vec4 rtwSides[4]; // planes of the sides of the view frustum, in view coordinates, positive outside
 
 #if defined(RTW_LAYERS_IN_UNIFORMS)
-uniform int rtwFirstLayer; // of the light
+uniform int rtwFirstLayer; // the light's first layer
 layout(std140) uniform Layers
 {
-  vec4 rtwGathered[2 * RTW_PARTS]; // of its layers, as rtwGatherLayers.glsl has them
+  vec4 rtwGathered[2 * RTW_PARTS]; // the light's layers, as rtwGatherLayers.glsl writes them
 };
 
 vec4 rtwFocusOf(int layer)
@@ -47,9 +47,11 @@ float rtwBlendStart(int layer)
 }
 #endif
 
-// Along the beam back towards the viewer, where it is that narrow beams of the image are (Lloyd et al. 2006, section 5.1): against the light
-// if that comes from behind, and with it if not. The near face is left out, as if the frustum began at the eye. `beam` is that way, or the
-// spot that it leads to, or from, and 1, or -1.
+// The side of the view frustum by which a beam of light through p leaves it when followed towards the viewer, where the
+// beams of the image are narrow (Lloyd et al. 2006, section 5.1): against the light if that comes from behind the
+// viewer, and with it if not. The near face is left out, as if the frustum began at the eye. `beam` is the direction to
+// go, with w = 0, or a spot's place in homogeneous coordinates, with w = 1 if the beam is followed towards the spot and
+// w = -1 if away from it.
 int rtwFaceAt(vec3 p, vec4 beam)
 {
   vec3 along = beam.xyz - beam.w * p;
@@ -68,7 +70,7 @@ int rtwFaceAt(vec3 p, vec4 beam)
   return face;
 }
 
-// Of so many layers from the first on.
+// The layer, among `parts` layers from the first on, that p belongs to.
 int rtwLayerAt(int first, int parts, vec3 p, vec4 beam)
 {
   int layer = first;

@@ -92,7 +92,7 @@ std::size_t LayerTable::GetGridLength() const
 int LayerTable::GetRowLength() const
 {
   const int length = std::max(this->Cells + 2, this->Resolution);
-  return length + length % 2; // rtwWarpFocus.glsl has it too
+  return length + length % 2; // rtwWarpFocus.glsl computes the same
 }
 
 void LayerTable::WriteRow(int row, int first, const std::vector<float>& values)
@@ -165,7 +165,7 @@ void LayerTable::Bind(const Program& program) const
   program.SetBlock("WarpInverse", UniformBinding + 1);
 }
 
-// Two rows.
+// Bytes of a block of uniforms: two rows of the table.
 std::size_t LayerTable::GetBlockBytes() const
 {
   return RowsPerLayer / 2 * this->GetRowLength() * 2 * sizeof(float);

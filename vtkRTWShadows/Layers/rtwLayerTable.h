@@ -31,12 +31,14 @@ public:
   static constexpr int GridUnit = 7;
   static constexpr int LeastTileLevel = 2;          // as in rtwBendNonOrthogonal.glsl
   static constexpr unsigned int StorageBinding = 7; // as in rtwWarpFocus.glsl
-  static constexpr unsigned int UniformBinding = 0; // and the next
-  static constexpr std::size_t UniformBytes = 4096 * 16; // of a block, as there
-  /// To stand before rtwWarpFocus.glsl.
+  static constexpr unsigned int UniformBinding = 0; // the first of two
+  // Bytes of a block of uniforms in rtwWarpFocus.glsl.
+  static constexpr std::size_t UniformBytes = 4096 * 16;
+  /// The definition that has to stand before rtwWarpFocus.glsl.
   static const char* DefinitionOf(TableAccess access);
 
-  /// The first `gridLayers` have a grid, since their warp isn't separable; then no other is warped.
+  /// Makes room for layers, of which the first `gridLayers` have a grid, since their warp isn't
+  /// separable; then no other is warped.
   /// Maps are square, of so many texels a side, until they have another size.
   void Allocate(int cells, int resolution, int layers, int gridLayers);
   /// Texels along s and t of maps that aren't square, of a warp that can do with that.
@@ -51,23 +53,25 @@ public:
   void WriteIdentity(int layer);
   /// Gives a program of ours the table.
   void Bind(const Program& program) const;
-  /// For shaders that read it as uniforms, where it fits.
+  /// Binds a layer's rows for shaders that read the table as uniforms, if FitsUniforms().
   void BindLayer(int layer) const;
   bool FitsUniforms() const { return this->GetBlockBytes() <= UniformBytes; }
   const TexelBuffer& GetValues() const { return this->Table; }
   const TexelBuffer& GetBends() const { return this->Bends; }
-  /// As rtwWarpNonOrthogonal.glsl has it.
+  /// The grids of all layers, in the order of rtwWarpNonOrthogonal.glsl.
   const TexelBuffer& GetGrid() const { return this->Grid; }
   int GetGridLayers() const { return this->GridLayers; }
   /// Elements in a row of the table.
   int GetRowLength() const;
   int GetCells() const { return this->Cells; }
-  int GetResolution() const { return this->Resolution; } ///< of the square with as many texels
+  /// Texels a side of a square map with as many texels.
+  int GetResolution() const { return this->Resolution; }
   const glm::ivec2& GetMapSize() const { return this->MapSize; }
   int GetBendLevels() const { return this->BendLevels; }
-  /// Of a level of the pyramids that a grid has for bends.
+  /// Squares a side of a level of the pyramids that a grid has for bends.
   int GetPyramidSide(int level) const { return (this->Cells + (1 << level)) >> level; }
-  /// Of the pyramid of tiles of the map that a grid has; the last one's side is 1.
+  /// Number of levels of the pyramid of tiles of the map that a grid has; the last level is one
+  /// tile.
   int GetTileLevels() const;
   int GetTileSide(int level) const;
   std::size_t GetMemory() const
@@ -78,7 +82,8 @@ public:
   Rectangle ReadFocus(int layer) const;
   /// A layer's interval, as rtwLayerInterval.glsl has it. Waits for the GPU.
   glm::dvec2 ReadInterval(int layer) const;
-  /// Sets it from the CPU, and where blending with the layer before begins.
+  /// Sets a layer's interval, and the depth at which blending with the layer before begins, from
+  /// the CPU.
   void WriteInterval(int layer, const glm::dvec2& interval, double blendStart);
   /// The whole table, row by row, two floats a texel. Waits for the GPU.
   std::vector<float> Read() const;
@@ -89,10 +94,10 @@ public:
 
 private:
   std::size_t GetBlockBytes() const;
-  /// Where each level of a grid's pyramids begins, and the last ends.
+  /// The places where each level of a grid's pyramids begins, and where the last ends.
   std::vector<int> GetPyramidPlaces() const;
   std::vector<int> GetTilePlaces() const;
-  std::size_t GetGridLength() const; ///< of a layer's, in elements
+  std::size_t GetGridLength() const; ///< elements of a layer's grid
   void WriteRow(int row, int first, const std::vector<float>& values);
 
   TexelBuffer Table, Bends, Grid;

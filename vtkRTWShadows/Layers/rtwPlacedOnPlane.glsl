@@ -1,4 +1,4 @@
-// Bounds are reduced where they are, on the light plane.
+// Bounds are reduced in light-plane coordinates, as they are.
 
 vec4 rtwPlaced(vec4 box)
 {

@@ -7,14 +7,14 @@ ivec2 rtwBlocks()
   return (rtwSquares(textureSize(rtwSamples, 0)) + BLOCK - 1) / BLOCK;
 }
 
-// The sample at its corner.
+// The sample at the low corner of a block.
 ivec2 rtwCornerOf(int block)
 {
   int width = rtwBlocks().x;
   return BLOCK * ivec2(block % width, block / width);
 }
 
-// Whether it isn't beyond the view.
+// Whether the sample of that number in the block at `corner` exists, and isn't beyond the view.
 bool rtwIsOfBlock(ivec2 corner, int number, out ivec2 index)
 {
   index = corner + ivec2(number % BLOCK, number / BLOCK);

@@ -30,8 +30,10 @@ namespace rtw
 namespace
 {
 constexpr int GroupSize = 256;                  // of rtwBoundBlocks.glsl and rtwUniteBlocks.glsl
-constexpr int BlocksEach = 8;                   // of an invocation, as in rtwUniteBlocks.glsl
-constexpr std::uint32_t Infinite = 0x7149f2cau; // 1e30f, as they have it
+// Blocks of each invocation; BLOCKS of rtwUniteBlocks.glsl.
+constexpr int BlocksEach = 8;
+// Bits of 1e30f, which the shaders take for infinity.
+constexpr std::uint32_t Infinite = 0x7149f2cau;
 constexpr std::size_t BlockBytes = 48;
 constexpr std::size_t HeaderBytes = 16;
 }

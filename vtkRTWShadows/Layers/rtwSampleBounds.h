@@ -18,7 +18,7 @@ class LayerBlocks;
 class ViewSampler;
 class LayerTable;
 
-/// What is bounded.
+/// The view samples whose bounds are found.
 struct BoundedSamples
 {
   const ViewSampler& Samples;
@@ -39,12 +39,13 @@ public:
   /// Nothing outside `whole` counts.
   void Bound(
     const BoundedSamples& input, const LightFrame& frame, int light, const Rectangle& whole);
-  /// Adds to the bounds of so many of its layers from that frame's on: eight numbers a layer as
-  /// rtwFocusBounds.glsl has them. Fills `lists`, where there are any.
+  /// Adds the light's blocks to the bounds of `parts` of its layers from that frame's layer on:
+  /// eight numbers a layer, in the order of rtwFocusBounds.glsl. Fills `lists`, where there are
+  /// any.
   void Unite(const BoundedSamples& input, const LightFrame& frame, int light, int parts,
     const Rectangle& whole, const Buffer& bounds, const LayerBlocks* lists);
-  /// Of each light that was bounded, the nearest and the farthest distance along the view direction
-  /// of what it reaches: the bits of floats.
+  /// The nearest and the farthest distance along the view direction, as bits of floats, of the
+  /// samples that each bounded light reaches.
   const Buffer& GetRange() const { return this->Range; }
   std::size_t GetMemory() const { return this->Blocks.GetSize() + this->Visits.GetSize(); }
   void Dispose(Disposal dispose);

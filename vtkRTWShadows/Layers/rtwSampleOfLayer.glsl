@@ -1,5 +1,5 @@
 // Whether a sample of the view is looked up in a layer.
-uniform int rtwParts; // layers that the light has
+uniform int rtwParts; // layers of the light
 uniform int rtwSampledLayer;
 uniform vec4 rtwBeam;
 
@@ -10,7 +10,7 @@ bool rtwBelongsTo(int layer, vec3 position)
       (rtwFaces == 1 || layer % rtwFaces == rtwFaceAt(position, rtwBeam)));
 }
 
-// In the one that is worked on.
+// Whether it is looked up in the layer that is worked on.
 bool rtwIsOfLayer(vec3 position)
 {
   return rtwBelongsTo(rtwSampledLayer, position);

@@ -4,11 +4,13 @@
 layout(local_size_x = 256) in;
 layout(std430, binding = 1) readonly buffer Blocks
 {
-  vec4 rtwBlockValues[]; // as rtwBoundBlocks.glsl has them
+  vec4 rtwBlockValues[]; // as rtwBoundBlocks.glsl writes them
 };
 layout(std430, binding = 2) buffer Visits
 {
-  uint rtwVisits[]; // of each pass: three numbers of work groups, their length; then a pass' blocks, as rtwVisitBlocks.glsl has them
+  // For each pass: three numbers of work groups, the length of its list; then the lists, as rtwVisitBlocks.glsl reads
+  // them.
+  uint rtwVisits[];
 };
 layout(std430, binding = 4) buffer BlockLists
 {
@@ -17,20 +19,20 @@ layout(std430, binding = 4) buffer BlockLists
 uniform int rtwFirstBlock;
 uniform int rtwNumberOfBlocks;
 uniform int rtwPass;
-uniform int rtwFirstList; // of all layers' lists; below 0 none are made
-uniform int rtwParts;     // layers that the light has
+uniform int rtwFirstList; // where the first layer's list begins; below 0 no lists are made
+uniform int rtwParts;     // layers of the light
 shared vec4 rtwPartial[256];
 shared uint rtwTaken;
 shared uint rtwPlaceOfTaken;
 
-const int BLOCKS = 8; // of an invocation
+const int BLOCKS = 8; // blocks of each invocation
 
 int rtwBlockOf(int k)
 {
   return (int(gl_WorkGroupID.x) * BLOCKS + k) * 256 + int(gl_LocalInvocationIndex);
 }
 
-// Of all invocations, in the first's place.
+// Reduces the bounds of all invocations to the first one's place.
 void rtwReduce(vec4 mine)
 {
   uint me = gl_LocalInvocationIndex;
@@ -46,7 +48,7 @@ void rtwReduce(vec4 mine)
   }
 }
 
-// The blocks of an invocation, as bits. To be called by all invocations.
+// Appends the blocks of an invocation, given as bits, to a layer's list. To be called by all invocations.
 void rtwList(int layer, uint mine)
 {
   uint me = gl_LocalInvocationIndex;

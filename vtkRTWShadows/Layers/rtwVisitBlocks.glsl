@@ -2,7 +2,7 @@
 layout(local_size_x = 64) in;
 layout(std430, binding = 2) readonly buffer Visits
 {
-  uint rtwVisits[]; // as rtwUniteBlocks.glsl has them; a layer and a block in one number
+  uint rtwVisits[]; // as rtwUniteBlocks.glsl writes them; a layer and a block in one number
 };
 uniform int rtwNumberOfBlocks;
 uniform int rtwPass;

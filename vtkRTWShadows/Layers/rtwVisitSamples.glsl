@@ -1,10 +1,11 @@
-// An invocation goes through the samples of one block: of all blocks in turn, or of those in which a layer has samples.
+// An invocation goes through the samples of one block: of all blocks one after another, or of those in which a layer
+// has samples.
 layout(std430, binding = 4) readonly buffer BlockLists
 {
-  uint rtwBlockLists[]; // a list: three numbers of work groups, its length; its blocks
+  uint rtwBlockLists[]; // for each list: three numbers of work groups, its length; its blocks
 };
-uniform int rtwBlockList;      // where the layer's begins; none below 0
-uniform int rtwListedBlocks;   // where its blocks do
+uniform int rtwBlockList;      // where the layer's list begins; below 0 there is none
+uniform int rtwListedBlocks;   // where the list's blocks begin
 
 // What a stage does with a sample of the layer that the light reaches.
 void rtwVisit(LitSample s);

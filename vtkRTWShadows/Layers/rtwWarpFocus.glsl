@@ -3,7 +3,8 @@
 // Rows of a layer: forward along s, forward along t, inverse along s, inverse along t. Behind the last cell of the first two
 // stands the focus along that axis: its low end, and one over its extent; then what rtwLayerInterval.glsl has.
 #if defined(RTW_TABLE_IN_UNIFORMS)
-// Of the layer that is worked on, two blocks, since no block may be longer. Both stand where LayerTable puts them.
+// The rows of the layer that is worked on are two blocks, since one would be longer than a block may be. LayerTable
+// binds both.
 layout(std140) uniform WarpForward
 {
   vec4 rtwForwardPairs[4096];
@@ -51,7 +52,8 @@ vec2 rtwFocused(vec4 focus, vec2 onLight)
   return (onLight - focus.xz) * focus.yw;
 }
 
-// Where on the focus the centres of a texel, of the one to its right, of the one above, and of the one above that lie.
+// Focus coordinates of the centres of a texel, of the one to its right, of the one above, and of the one above the
+// latter.
 struct TexelCentres
 {
   vec2 here;

@@ -1,4 +1,4 @@
-// Backward: from a view sample to the light (Rosen 2012, section 4.1).
+// Backward analysis (Rosen 2012, section 4.1): what a view sample is for the light.
 LitSample rtwLoadPixel(ivec2 pixel)
 {
   SampledPlane plane = rtwLoadPlane(pixel);

@@ -59,7 +59,8 @@ LightCollection CollectLights(vtkRenderer* renderer)
     }
     const int switched = result.Switched++;
     const ShadowLight shadowing = Read(light, switched);
-    // A headlight shines from the eye, so that what it can't reach can't be seen.
+    // A headlight needs no shadow: it shines from the eye, so that what it can't reach can't be
+    // seen.
     if (light->LightTypeIsHeadlight() || IsBlack(light) || !(light->GetShadowAttenuation() > 0))
     {
       ++result.Skipped;

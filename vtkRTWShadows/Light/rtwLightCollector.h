@@ -17,13 +17,15 @@ namespace rtw
 struct LightCollection
 {
   std::vector<ShadowLight> Shadowing;
-  /// Whose they are, in that order: weak, because a light that is gone is none of them, even where
-  /// a new one has its address.
+  /// The lights that need a map, in the order of their numbers: weak, because a light that is gone
+  /// is none of them, even where a new one has its address.
   std::vector<vtkWeakPointer<vtkLight>> Sources;
   int Switched = 0;        ///< lights that are on
-  int Skipped = 0;         ///< of those: black, or their shadows weigh nothing, or can't be seen (headlights)
-  int Unsupported = 0;     ///< of those: point lights and spots as wide as one
-  int Broken = 0;          ///< of those: with a direction or position that is not a number
+  /// switched-on lights that are black, or whose shadows weigh nothing or can't be seen
+  /// (headlights)
+  int Skipped = 0;
+  int Unsupported = 0;     ///< switched-on point lights, and spots as wide as one
+  int Broken = 0;          ///< switched-on lights with a direction or position that is not a number
 };
 
 LightCollection CollectLights(vtkRenderer* renderer);

@@ -9,9 +9,10 @@ namespace rtw
 {
 namespace
 {
-// Wider cones would give their middle next to no texels; their rim stays unshadowed.
+// The widest cone, in degrees from the axis: a wider one would give its middle next to no texels.
+// What a light shines on beyond it stays unshadowed.
 constexpr double WidestCone = 89.0;
-// Of a spot's reach: casters nearer to it than that share one depth.
+// The share of a spot's reach within which all casters have one depth.
 constexpr double NearestShare = 1e-3;
 
 void SetRow(glm::dmat4& matrix, int row, const glm::dvec3& axis, double offset)
@@ -23,7 +24,7 @@ void SetRow(glm::dmat4& matrix, int row, const glm::dvec3& axis, double offset)
   matrix[3][row] = offset;
 }
 
-// As the axes lie by themselves.
+// The axes of a light plane that is not turned.
 struct Basis
 {
   glm::dvec3 S, T;
@@ -194,7 +195,8 @@ double ViewAlignedTurn(
   double length = 1;
   if (light.Kind == LightKind::Spot)
   {
-    // Of the eye's image, (l · w) / w, as it goes forward; times the square of w.
+    // The derivative of the eye's image, (l · w) / w, as the eye goes forward, times the square of
+    // w.
     const glm::dvec3 toEye = eye - light.Position;
     along = along * glm::dot(toEye, light.Direction) -
       glm::dvec2(glm::dot(toEye, s), glm::dot(toEye, t)) * glm::dot(forward, light.Direction);

@@ -28,7 +28,7 @@ struct ShadowLight
   LightKind Kind = LightKind::Directional;
   int Switched = 0; ///< its number among the lights that are switched on: N of VTK's lightColorN
   glm::dvec3 Direction{ 0, 0, -1 }; ///< in which light travels, or the spot's axis; unit
-  glm::dvec3 Position{ 0 };         ///< of a spot
+  glm::dvec3 Position{ 0 };         ///< place of a spot
   double ConeAngle = 0;             ///< half of a spot's opening, in degrees
   double Attenuation = 1;           ///< how much of the light a shadow takes away, 0 to 1
 
@@ -42,21 +42,24 @@ struct LightFrame
   ShadowLight Light;
   glm::dvec3 SAxis{ 1, 0, 0 };
   glm::dvec3 TAxis{ 0, 1, 0 };
-  /// From world to (l · w, depth · w, w); w is 1 for a directional light, the distance along the axis for a spot.
+  /// The matrix from world coordinates to (l · w, depth · w, w); w is 1 for a directional light,
+  /// the distance along the axis for a spot.
   glm::dmat4 WorldToLight{ 1 };
   Rectangle Bounds;         ///< a square on the light plane that holds the scene, or a spot's cone
-  glm::dvec2 ConeCentre{ 0 }; ///< of a spot
+  glm::dvec2 ConeCentre{ 0 }; ///< centre of a spot's cone on the light plane
   double ConeTangent = 0;
   double NearestDistance = 0; ///< along a spot's axis, where depth is 0
   double FarthestDistance = 0; ///< along a spot's axis, where depth is 1
   double DepthRange = 1;    ///< world units of depth at a directional light
   int Parts = 1;            ///< layers that share the light's samples, one after another
-  int Faces = 1;            ///< of the view frustum that each of its depths is divided among
-  int Layer = 0;            ///< the one that the frame is for
+  /// Sides of the view frustum that each range of depths is divided among: 4, or 1 for none.
+  int Faces = 1;
+  int Layer = 0;            ///< number of the layer that the frame is for
 
-  int Number() const { return this->Layer / this->Parts; } ///< of the light, among all
+  /// Number of the light among those with a map.
+  int Number() const { return this->Layer / this->Parts; }
 
-  /// What a world length along the light is in units of depth; for a spot, times w².
+  /// The depth that a world length of 1 along the light amounts to; for a spot, times w².
   double DepthOfLength() const;
   /// WorldToLight, but with light-plane coordinates that go from 0 to 1 over a focus.
   glm::dmat4 WorldToFocus(const Rectangle& focus) const;
@@ -72,8 +75,8 @@ using ExtentFunction = std::function<glm::dvec2(const glm::dvec3& direction)>;
 LightFrame MakeLightFrame(const ShadowLight& light, const ExtentFunction& extent,
   const glm::dvec3& eye, double turn = 0);
 
-/// The frame with its axes turned by an angle. Bounds of a directional light become the square that
-/// holds the old ones.
+/// The frame with its axes turned by an angle in radians. Bounds of a directional light become the
+/// square that holds the old ones.
 LightFrame Turned(const LightFrame& frame, double by);
 
 /// Half a degree between view and light: any less, and a slight move of the camera would turn the

@@ -7,8 +7,10 @@ namespace rtw
 {
 namespace
 {
-constexpr std::size_t MostViewers = 64; // who may have gone without a word
-constexpr double LeastAlong = 1e-6;     // below it there is nothing but rounding
+// Viewers that are remembered, of whom some may be gone without having said so.
+constexpr std::size_t MostViewers = 64;
+// Length of a projected direction below which it is nothing but rounding.
+constexpr double LeastAlong = 1e-6;
 }
 
 bool LightTurning::IsBySamples() const

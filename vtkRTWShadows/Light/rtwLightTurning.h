@@ -21,46 +21,47 @@ enum class Turning
   Automatic,
   MinimalFrustum,
   AlongView, ///< ViewAligned, for a warp that has come to nothing where there is no such turn
-  LeastArea  ///< MinimalFrustum, of the view samples
+  LeastArea  ///< MinimalFrustum, by the area that the view samples take
 };
 
 class LightTurning
 {
 public:
-  /// Before a frame: what has been found out by now counts from this one on. `viewer` tells apart
-  /// those who take turns; `minimal` are the minimal frusta's, where they are asked for.
+  /// Begins a frame: what has been found out by now counts from it on. `viewer` tells apart viewers
+  /// who draw alternately; `minimal` are the turns of the minimal frusta, where they are asked for.
   void Begin(Turning kind, const void* viewer, const std::vector<ShadowLight>& lights,
     const View& view, const std::vector<double>& minimal);
-  /// Whether turns are told by view samples, and by the areas that these take.
+  /// Whether turns are chosen by view samples, and whether by the areas that these take.
   bool IsBySamples() const;
   bool IsByArea() const { return this->Kind == Turning::LeastArea; }
-  /// Of each light, in radians.
+  /// The turn of each light's plane, in radians.
   const std::vector<double>& GetTurns() const { return this->Turns; }
   /// Whether nothing has been found out about these lights yet.
   bool IsUndecided() const;
   /// Whether to ask about a frame with that signature: not while an answer is due, nor what has
   /// been asked before, so that all comes to rest. False where the driver can't.
   bool IsToAsk(std::uint64_t signature);
-  /// The turns to be compared.
+  /// The turns of a light's plane that are to be compared, in radians.
   const std::vector<double>& GetCandidates(std::size_t light) const
   {
     return this->Candidates[light];
   }
-  /// Starts to compare them. A light's `By` are its candidates, less its turn.
+  /// Starts to compare the candidates. `By` of each light are its candidates, less its turn.
   void Ask(const std::vector<TurnedLight>& lights, const TurnInput& input, std::uint64_t signature);
-  /// Until that is done; then it counts. Whether there is a better turn.
+  /// Waits until the comparison is done, whose result then counts. Returns whether there is a
+  /// better turn.
   bool Wait();
   void Dispose(Disposal dispose);
 
 private:
-  /// Of a viewer.
+  /// What is known of a viewer.
   struct Choice
   {
     std::vector<double> Turns;
     bool Decided = false;
     std::uint64_t Asked = 0; ///< signature of the frame
     std::vector<std::vector<double>> Compared;
-    Readback Answer; ///< the errors of those
+    Readback Answer; ///< the errors, or areas, of the candidates in Compared
   };
   void Take(Choice& choice) const;
   void Forget(Disposal dispose);
@@ -68,7 +69,7 @@ private:
   TurnStage Stage;
   std::map<const void*, Choice> Choices;
   Turning Kind = Turning::Off;
-  const void* Viewer = nullptr; ///< of this frame
+  const void* Viewer = nullptr; ///< the viewer of this frame
   std::vector<double> Turns;
   std::vector<std::vector<double>> Candidates;
 };

@@ -18,7 +18,7 @@ void BindLight(const Program& program, const LightFrame& frame, const View& view
 
 /// The planes of the sides of the view frustum, in view coordinates, positive outside.
 std::array<glm::vec4, 4> SidesOf(const View& view);
-/// The way that rtwLayerInterval.glsl goes along a light's beams.
+/// The `beam` of rtwFaceAt() in rtwLayerInterval.glsl: which way it goes along a light's beams.
 glm::vec4 BeamOf(const LightFrame& frame, const View& view);
 }
 

@@ -9,10 +9,10 @@ struct LitSample
   vec3 normal; // in view coordinates, towards the viewer
   vec2 onLight;
   float w;
-  vec2 footprint; // of a pixel
-  vec2 across;    // the bounds of that
-  float area;     // and its area
-  float pixels;   // that it stands for
+  vec2 footprint; // extent of a pixel along s and t on the light plane
+  vec2 across;    // extent of the bounds of a pixel along s and t
+  float area;     // area of a pixel on the light plane
+  float pixels;   // number of pixels that the sample stands for
 };
 
 vec3 rtwOnLight(vec3 position)

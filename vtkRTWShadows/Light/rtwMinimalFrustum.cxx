@@ -13,9 +13,9 @@ namespace
 {
 using Polygon = std::vector<glm::dvec3>;
 
-constexpr double Wider = 1e-9; // of the rectangle, for rounding
+constexpr double Wider = 1e-9; // share of its extent that the rectangle is wider, for rounding
 
-// What is on the side of its normal, and the plane itself.
+// The points on that side of a plane to which its normal points, and the plane itself.
 struct HalfSpace
 {
   glm::dvec3 Normal;
@@ -50,7 +50,7 @@ struct Hexahedron
     std::vector<HalfSpace> halves;
     for (const Polygon& face : this->Faces())
     {
-      // By its diagonals: a side of it may be tiny.
+      // The normal follows from the face's diagonals, because a side of it may be tiny.
       glm::dvec3 normal = glm::cross(face[2] - face[0], face[3] - face[1]);
       const double length = glm::length(normal);
       const glm::dvec3 on = 0.25 * (face[0] + face[1] + face[2] + face[3]);
@@ -190,7 +190,8 @@ glm::dvec2 BestAxis(const std::vector<glm::dvec2>& hull)
   return best;
 }
 
-// Of a spot, what lies before its nearest distance counts as where lines from there reach that.
+// The corners on the light plane. A corner that lies nearer to a spot than its nearest distance is
+// replaced by the points where lines from it to the other corners reach that.
 std::vector<glm::dvec2> OnLightPlane(
   const LightFrame& frame, const std::vector<glm::dvec3>& corners)
 {
@@ -253,7 +254,7 @@ int Orientation(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c)
 {
   const double left = (a.x - c.x) * (b.y - c.y), right = (a.y - c.y) * (b.x - c.x);
   const double determinant = left - right;
-  // Of rounding at most (Shewchuk 1997).
+  // The sign is certain if the determinant exceeds its greatest rounding error (Shewchuk 1997).
   if (std::abs(determinant) > 4e-16 * (std::abs(left) + std::abs(right)))
   {
     return determinant > 0 ? 1 : -1;
@@ -280,7 +281,7 @@ std::vector<glm::dvec2> ConvexHull(std::vector<glm::dvec2> points)
     return points;
   }
   std::vector<glm::dvec2> hull;
-  // Below from left to right, then above back (Andrew 1979).
+  // The monotone chain of Andrew 1979: the lower hull from left to right, then the upper one back.
   for (int side = 0; side < 2; ++side)
   {
     const std::size_t first = hull.size();
@@ -310,7 +311,7 @@ std::optional<TurnedRectangle> MinimalRectangle(const std::vector<glm::dvec2>& h
     return {};
   }
   glm::dvec2 axis = BestAxis(hull);
-  // The nearest of the four directions to no turn.
+  // Of the rectangle's four directions, the nearest to no turn is taken.
   axis = axis.x + axis.y < 0 ? -axis : axis;
   axis = axis.x < axis.y ? glm::dvec2(axis.y, -axis.x) : axis;
   Rectangle bounds = BoundsAlong(hull, axis);

@@ -3,15 +3,16 @@
 struct MovingSample
 {
   bool seen;   // there is a receiver
-  bool lit;    // that faces the light and lies in its reach
-  vec3 here;   // in view coordinates
-  vec3 right;  // what that moves by to the pixel on the right, and to the one above
+  bool lit; // the receiver faces the light and lies in its reach
+  vec3 here;   // its place in view coordinates
+  vec3 right;  // the step from there to the pixel on the right; `above`: to the one above
   vec3 above;
-  vec4 h;      // on the light plane, before the division
-  mat2 moves;  // what its place there moves by
+  vec4 h;      // its homogeneous light-plane coordinates
+  mat2 moves;  // the two steps on the light plane
 };
 
-// A point on the light plane that moves by that in view coordinates; h is where it is projected.
+// The step on the light plane of a point with the homogeneous light-plane coordinates h that moves by `step` in view
+// coordinates.
 vec2 rtwMovesOnLight(vec4 h, vec3 step)
 {
   vec4 change = rtwViewToLight * vec4(step, 0.0);
@@ -31,7 +32,8 @@ MovingSample rtwLoadMovingSample(ivec2 pixel)
   m.h = rtwViewToLight * vec4(m.here, 1.0);
   m.moves = mat2(rtwMovesOnLight(m.h, m.right), rtwMovesOnLight(m.h, m.above));
   m.seen = s.w > 0.0;
-  // As in the lookup: seen the other way round from the light plane's back.
+  // A surface that faces both viewer and light is seen the other way round from the light plane's back, as in the
+  // lookup.
   m.lit = m.seen && m.h.w > 0.0 && determinant(m.moves) < 0.0 && rtwReached(m.h.xy / m.h.w);
   return m;
 }

@@ -1,6 +1,6 @@
 // A shadow's edges on the screen, as a mask has them, and how far they move when a map is a texel off.
 
-// 0 in shadow, 1 lit, 0.5 neither.
+// The decision of the mask at a pixel: 0 in shadow, 1 lit, 0.5 neither.
 float rtwDecision(sampler2DArray mask, int light, ivec2 pixel)
 {
   ivec2 inside = clamp(pixel, ivec2(0), textureSize(mask, 0).xy - 1);
@@ -21,7 +21,8 @@ bool rtwBesideEdge(sampler2DArray mask, int light, ivec2 pixel)
   return differs;
 }
 
-// Across the edge that a pixel is beside: the mask's gradient, of length 1; 0 where the edge has no one direction.
+// The direction across the edge that a pixel is beside: the mask's gradient, of length 1; 0 where the edge has no one
+// direction.
 vec2 rtwEdgeNormal(sampler2DArray mask, int light, ivec2 pixel)
 {
   float here = rtwDecision(mask, light, pixel);
@@ -30,22 +31,23 @@ vec2 rtwEdgeNormal(sampler2DArray mask, int light, ivec2 pixel)
   {
     ivec2 step = ivec2(k % 5, k / 5) - 2;
     float there = rtwDecision(mask, light, pixel + step);
-    // What is averted says nothing of the edge.
+    // A pixel that faces away from the light says nothing of the edge.
     gradient += vec2(step) * (there == 0.5 ? here : there) * exp(-0.5 * float(step.x * step.x + step.y * step.y));
   }
   float size = length(gradient);
   return size > 1e-4 ? gradient / size : vec2(0.0);
 }
 
-// By how many pixels an edge of that normal (or any, where it is 0) moves on the screen if what casts it is off by such a length along
-// either axis of the light plane, in the mean of both. dx and dy lead there to the next pixels.
+// The number of pixels by which an edge of that normal (or any, where it is 0) moves on the screen if what casts it is
+// off by such a length along either axis of the light plane, in the mean of both. dx and dy lead there to the next
+// pixels.
 //
 // A pixel's extent along an axis alone is too much where its ellipse lies slantwise and thin, as on a wall that the light grazes:
 // an edge moves farther. How far along its normal is known by the inverse of the two steps, but no better than the normal is, and
 // that is too much on such a wall. The geometric mean of both agrees best with exact rays.
 float rtwMisplaced(vec2 dx, vec2 dy, vec2 normal, vec2 off)
 {
-  vec2 s = vec2(dy.y, -dx.y); // one along s, on the screen, times the determinant
+  vec2 s = vec2(dy.y, -dx.y); // the step on the screen that leads one unit along s, times the determinant
   vec2 t = vec2(-dy.x, dx.x);
   bool known = normal != vec2(0.0);
   vec2 moved = known ? abs(vec2(dot(normal, s), dot(normal, t))) : vec2(length(s), length(t));

@@ -9,10 +9,10 @@ namespace rtw
 {
 namespace
 {
-constexpr int Steps = 8; // of a right angle
+constexpr int Steps = 8; // turns that a right angle is divided into
 constexpr int AreaSteps = 32;
 constexpr double MuchBetter = 0.9;
-// As in rtwTurnErrors.glsl.
+// CELLS of rtwTurnErrors.glsl.
 constexpr int Cells = 256;
 constexpr int Blur = 4;
 constexpr double Sigma = 1.5;
@@ -41,7 +41,7 @@ std::vector<double> Candidates(double first, int steps, double last)
   return turns;
 }
 
-// Of texels in each cell, times the mean.
+// The density of texels in each cell, in units of the mean.
 std::vector<double> Spread(const std::vector<double>& asked)
 {
   std::vector<double> density(Cells);

@@ -10,15 +10,15 @@
 
 namespace rtw
 {
-/// In radians: first the one in force, then all that differ on a map of columns and rows, 11.25
-/// degrees apart, then that of the view.
+/// The turns that are compared by error, in radians: first the one in force, then all that differ
+/// on a map of columns and rows, 11.25 degrees apart, then the one along the view.
 std::vector<double> TurnCandidates(double inForce, double viewAligned);
 
 /// The index of the least error, if that is a tenth less than the first; else 0.
 std::size_t BestTurn(const std::vector<float>& errors);
 
-/// In radians: first the one in force, then none, then all that differ on a rectangle, 2.8 degrees
-/// apart, then that of the minimal frustum.
+/// The turns that are compared by area, in radians: first the one in force, then 0, then all that
+/// differ on a rectangle, 2.8 degrees apart, then that of the minimal frustum.
 std::vector<double> AreaCandidates(double inForce, double minimal);
 
 /// The index of the least area, if that is a tenth less than the first; else 1, no turn, where that
@@ -29,12 +29,14 @@ std::size_t LeastTurn(const std::vector<float>& areas);
 struct TurnSample
 {
   glm::dvec2 Place;
-  glm::dvec2 ToRight, ToAbove; ///< to what the next pixels show of its tangent plane
-  bool AtEdge = true;          ///< of a shadow
+  /// Steps on the light plane to where the next pixels show its tangent plane.
+  glm::dvec2 ToRight, ToAbove;
+  bool AtEdge = true;          ///< whether it is beside a shadow edge
   glm::dvec2 Normal{ 0 };      ///< across that edge, on the screen, of length 1; 0 if not known
 };
 
-/// The twin of rtwMisplaced in rtwShadowEdge.glsl, kept below what is wrong at most.
+/// The twin of rtwMisplaced in rtwShadowEdge.glsl, kept below the most that an edge can be
+/// misplaced.
 double Misplacement(const TurnSample& sample, const glm::dvec2& off);
 
 /// The twin of rtwTurnErrors.glsl: pixels by which shadow edges move when a map of so many texels a

@@ -6,9 +6,10 @@ const int GROUP = 256;
 const int CELLS = GROUP;
 const int BLUR = 4;                // cells, three standard deviations and some
 const float SIGMA = 1.5;
-const float FLOOR = 0.01;          // of the mean density
-const float MOST_ASKED = 262143.0; // by one of 16384 samples in a cell, whose sum is to fit in 32 bits
-const float WIDEST = 50.0;         // pixels: what is wrong cannot be more so
+const float FLOOR = 0.01;          // share of the mean density
+// The most that one sample asks for: the sum of 16384 samples in a cell has to fit in 32 bits.
+const float MOST_ASKED = 262143.0;
+const float WIDEST = 50.0;         // pixels that an edge can move by at most
 
 layout(std430, binding = 0) readonly buffer Samples
 {
@@ -21,8 +22,8 @@ layout(std430, binding = 1) writeonly buffer Errors
   float rtwErrors[];
 };
 uniform vec2 rtwTurns[RTW_TURNS];    // cosine, sine
-uniform vec4 rtwKept[RTW_TURNS];     // low, high: what the map has to hold besides
-uniform vec4 rtwBounds[RTW_TURNS];   // of the light
+uniform vec4 rtwKept[RTW_TURNS];     // bounds of what the map has to hold besides samples: low, high
+uniform vec4 rtwBounds[RTW_TURNS];   // bounds of the light: low, high
 uniform int rtwSlots;
 uniform int rtwFirstError;
 uniform int rtwAdapts;     // 0: the map is not warped
@@ -54,7 +55,7 @@ Turned rtwLoad(int place)
   return Turned(rtwTurned(a.xy), rtwTurned(a.zw), rtwTurned(rtwListed[place + 1].xy));
 }
 
-// Low, high.
+// The bounds around two bounds: low, high.
 vec4 rtwUnion(vec4 a, vec4 b)
 {
   return vec4(min(a.xy, b.xy), max(a.zw, b.zw));
@@ -88,7 +89,7 @@ ivec2 rtwCell(vec4 bounds, vec2 place)
   return clamp(ivec2((place - bounds.xy) / (bounds.zw - bounds.xy) * float(CELLS)), 0, CELLS - 1);
 }
 
-// One over a pixel's extent, added up.
+// Adds up one over the extents of pixels in each cell.
 void rtwAsk(vec4 bounds)
 {
   for (int i = me; i < 2 * CELLS; i += GROUP)
@@ -108,7 +109,7 @@ void rtwAsk(vec4 bounds)
   barrier();
 }
 
-// Smoothed, as a warping map is.
+// What is asked for around a cell, smoothed as a warping map is.
 float rtwAskedAround(int i)
 {
   int first = i < CELLS ? 0 : CELLS;
@@ -124,7 +125,7 @@ float rtwAskedAround(int i)
   return sum / weights;
 }
 
-// Of both axes, in every invocation.
+// The sum of `mine` of both axes over all invocations, in every one.
 vec2 rtwTotal(vec2 mine)
 {
   rtwPartial[me] = vec4(mine, 0.0, 0.0);
@@ -142,7 +143,8 @@ vec2 rtwTotal(vec2 mine)
   return all;
 }
 
-// Times the mean. The floor raises the mean itself by no more than that share.
+// Makes densities of what is asked for, in units of the mean. The floor raises the mean itself by no more than its
+// share.
 void rtwSpread()
 {
   float s = rtwAskedAround(me);

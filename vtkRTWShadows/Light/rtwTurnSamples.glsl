@@ -8,7 +8,7 @@ layout(std430, binding = 0) buffer Samples
   uint rtwEdgeCount;
   vec4 rtwListed[]; // samples: place and step to the right; step above; then edges: likewise, and their normal; their number, where they lie in view coordinates
 };
-uniform sampler2DArray rtwMask; // of those samples
+uniform sampler2DArray rtwMask; // the shadow mask of the frame that the samples are of
 uniform int rtwHasMask;
 uniform int rtwLight;
 uniform int rtwStep;  // every how many samples, along both axes, one is taken
@@ -22,7 +22,8 @@ struct Listed
   vec3 position;
 };
 
-// As an analysis has it: what faces both viewer and light is seen the other way round by the latter.
+// The sample of a pixel. Like in an analysis, what faces both viewer and light is seen the other way round by the
+// light.
 Listed rtwList(ivec2 pixel)
 {
   SampledPlane plane = rtwLoadPlane(pixel);
@@ -48,7 +49,7 @@ void rtwAddEdge(Listed s, vec2 normal, uint number)
   }
 }
 
-// One of a cell's edges, which stands for all of them: any one with the same chance.
+// Lists one of a cell's edges, chosen at random, which stands for all of them.
 void rtwFindEdge(ivec2 corner)
 {
   ivec2 end = min(corner + rtwStep, textureSize(rtwSamples, 0));
@@ -94,6 +95,6 @@ void main()
   }
   else
   {
-    rtwAddEdge(s, vec2(0.0), 1u); // all are at an edge
+    rtwAddEdge(s, vec2(0.0), 1u); // without a mask all samples count as being at an edge
   }
 }

@@ -24,13 +24,14 @@ namespace
 constexpr int Side = 128;
 constexpr int Slots = Side * Side;
 constexpr std::size_t BytesOfHeader = 16, BytesOfSample = 32, BytesOfEdge = 48;
-constexpr int LooksForEdges = 4; // a side, from one sample to the next
+// How often edges are looked for along an axis from one listed sample to the next.
+constexpr int LooksForEdges = 4;
 constexpr int MaskUnit = 1;
 
 void SetRectangles(
   const Program& program, const char* uniform, const std::vector<Rectangle>& rectangles)
 {
-  constexpr double Farthest = 1e30; // that a float holds well
+  constexpr double Farthest = 1e30; // stands for infinity: a float holds it well
   std::vector<float> values;
   for (const Rectangle& r : rectangles)
   {
@@ -79,7 +80,7 @@ void TurnStage::Start(
 void TurnStage::List(const LightFrame& frame, int light, const TurnInput& input)
 {
   const int width = input.Samples.GetWidth(), height = input.Samples.GetHeight();
-  // As many a side at most as there are slots a side, and no more than the analysis itself takes.
+  // Samples a side are no more than there are slots a side, nor than the analysis itself takes.
   int step = std::max(input.Stride, 1);
   while ((width / step) * (height / step) > Slots)
   {

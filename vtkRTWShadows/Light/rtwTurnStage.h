@@ -23,15 +23,17 @@ struct TurnedLight
 {
   LightFrame Frame;
   std::vector<double> By;        ///< radians, no more than TurnStage::MostTurns
-  std::vector<Rectangle> Kept;   ///< what the map has to hold besides samples, so turned
-  std::vector<Rectangle> Bounds; ///< outside of which nothing counts, so turned
+  /// Bounds on the turned plane of what the map has to hold besides samples.
+  std::vector<Rectangle> Kept;
+  std::vector<Rectangle> Bounds; ///< bounds on the turned plane outside of which nothing counts
 };
 
 struct TurnInput
 {
   const ViewSampler& Samples;
-  int Stride = 1;                ///< every how many pixels there is a sample
-  const Texture* Mask = nullptr; ///< of the samples, a layer a light; none where all count as edges
+  int Stride = 1;                ///< pixels from one sample to the next along both axes
+  /// The samples' shadow mask, a layer for each light; null where all samples count as edges.
+  const Texture* Mask = nullptr;
   int Texels = 1;                ///< a side of the map
   bool Adapts = true;            ///< whether the map is warped by demand
   bool Areas = false;            ///< whether areas are asked for, not errors
@@ -47,7 +49,7 @@ public:
   /// Starts to find the errors, or areas, of all turns of each light: the answer will be floats,
   /// one a turn, one after another, in any unit.
   void Start(const std::vector<TurnedLight>& lights, const TurnInput& input, Readback& answer);
-  /// Lists samples, and edges of the mask, of a light, as rtwTurnSamples.glsl has them.
+  /// Lists samples that a light reaches, and edges of its mask (rtwTurnSamples.glsl).
   void List(const LightFrame& frame, int light, const TurnInput& input);
   /// Gives a program that list.
   void BindList(const Program& program) const;

@@ -37,23 +37,23 @@ namespace rtw
 namespace
 {
 constexpr std::size_t MostTriangles = MeshCluster::MaximumTriangles;
-// Of patches, themselves triangles of 1, 2, 4, 8 and 16 pieces along an edge at most.
+// Classes of patches: triangles of 1, 2, 4, 8 and 16 pieces along an edge at most.
 constexpr std::size_t PatchClasses = 5;
-// What the shaders keep of a cluster, by the rules of std430.
+// Bytes that the shaders keep of a cluster (rtwCasterWork.glsl), by the rules of std430.
 constexpr std::size_t WorkBytes = 80 + 16 * PatchClasses + 4 * MostTriangles;
 constexpr std::size_t WorkGroupsBytes = 12;
 constexpr std::size_t StraightBytes = 56 * MostTriangles;
 constexpr std::size_t BentBytes = 128 * MostTriangles;
 constexpr std::size_t CoverBytes = 32;
-// What is set up at a time, so that the memory which that takes is bounded.
+// The clusters that are set up at a time, so that the memory which that takes is bounded.
 constexpr int MostClusters = 128;
-constexpr std::size_t MostCovers = 3072; // of a cluster
+constexpr std::size_t MostCovers = 3072; // covers of a cluster
 static_assert(CasterDrawing::TexelsOfTiles == CoverBytes / 16 * MostClusters * MostCovers, "room");
 // Tiles have the room of all together, and some clusters' few large triangles need thousands.
 constexpr int MostClustersInTiles = 64;
 constexpr std::size_t FinePatches =
-  (PatchClasses - 1) * MostTriangles;      // of all classes but the last
-constexpr std::size_t BentDrawOffset = 16; // in a cluster's work
+  (PatchClasses - 1) * MostTriangles;      // the patches of all classes but the last
+constexpr std::size_t BentDrawOffset = 16; // bytes from the beginning of a cluster's CasterWork
 constexpr std::size_t PlaneDrawOffset = 32;
 constexpr std::size_t PatchDrawOffset = 48;
 
@@ -144,7 +144,8 @@ std::size_t CasterDrawing::GetMemory() const
     this->BentCasters.GetMemory() + this->Covers.GetMemory() + this->Tiles.GetMemory();
 }
 
-// Where edges are straight that is exact as it is. Under a grid whole neighbourhoods bend alike:
+// Exact is the same as Linear where the warp keeps edges straight. Under a grid whole
+// neighbourhoods bend alike:
 // what cannot be seen of one triangle can be seen of all.
 Bending CasterDrawing::BendingOf(const CasterOptions& options) const
 {
@@ -203,7 +204,7 @@ void CasterDrawing::SetUp(const CasterLayer& layer, int clusters)
 void CasterDrawing::DrawTriangles(const CasterLayer& layer, int clusters)
 {
   layer.Prepare(this->Bent);
-  // All that tiles make, but points, is in the first cluster's.
+  // The covers that tiles make, but for points, are all in the first cluster's draw.
   this->Pulled.DrawIndirect(
     Primitive::Triangles, this->Work, BentDrawOffset, this->InTiles ? 1 : clusters, WorkBytes);
   if (this->InTiles)

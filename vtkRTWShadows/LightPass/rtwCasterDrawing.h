@@ -25,7 +25,7 @@ namespace rtw
 class CasterDrawing
 {
 public:
-  /// Of a buffer texture, that a warp with a grid asks for at least.
+  /// Texels of a buffer texture that a warp with a grid needs at least.
   static constexpr int TexelsOfTiles = 786432;
   /// Compiles for that warp; false, with the reason in GetLog(), where the driver can't.
   bool Build(const WarpShape& warp, TableAccess access);
@@ -35,7 +35,7 @@ public:
   /// Draws what a layer needs of the store into the target that is bound.
   void Draw(const GeometryStore& store, const LayerTable& table, const LightFrame& frame, int layer,
     const CasterOptions& options, const DeepestSamples* deepest = nullptr);
-  /// Of a layer in the last frame. Waits for the GPU.
+  /// The clusters of a layer that were drawn and culled in the last frame. Waits for the GPU.
   CasterCounts ReadCounts(int layer) const { return this->Clusters.ReadCounts(layer); }
   std::size_t GetMemory() const;
   void Dispose(Disposal dispose);
@@ -50,7 +50,7 @@ private:
 
   std::string Warp;
   bool InTiles = false; ///< whether bent triangles are covered by tiles of the map
-  bool Projective = false; ///< it keeps edges straight
+  bool Projective = false; ///< whether the warp keeps edges straight
   TableAccess Access = TableAccess::Storage;
   CasterCulling Clusters;
   Program Starting, CullingTriangles, SettingUp, Straight, Plane, Bent, Patches;

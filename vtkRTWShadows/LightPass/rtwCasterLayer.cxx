@@ -9,11 +9,12 @@ namespace rtw
 {
 namespace
 {
-// A quarter of a quarter of a texel, which can be seen.
+// A bend of a quarter of a texel can be seen; a quarter of that can't.
 constexpr float AllowedBendInTexels = 0.0625f;
-// What is bent less than that is straight whatever its slope.
+// A triangle that is bent less than that is straight whatever its slope.
 constexpr float LeastBendInTexels = 0.005f;
-// Of the distance at which a spot's depths start: what is nearer is part of the lamp.
+// The share of the distance at which a spot's depths start below which a caster is part of the
+// lamp.
 constexpr double NearestWShare = 0.01;
 }
 

@@ -12,22 +12,23 @@ class GeometryStore;
 class Program;
 class LayerTable;
 
-/// What becomes of triangles that the warp bends; the numbers are the users'.
+/// How triangles are drawn that the warp bends, numbered as
+/// vtkConfigurableShadowMapPass::Rasterizations.
 enum class Bending
 {
-  Linear = 0,      ///< nothing
-  Tessellated = 1, ///< they are cut up
-  Exact = 2,       ///< they are drawn by their own edges
-  Automatic = 3    ///< the same, where it can be seen
+  Linear = 0,      ///< with straight edges
+  Tessellated = 1, ///< cut up
+  Exact = 2,       ///< by their own edges on the unwarped light plane
+  Automatic = 3    ///< as Exact where the bend can be seen, as Linear elsewhere
 };
 
 struct CasterOptions
 {
   bool Cull = true; ///< leave out what cannot shadow anything in focus
   Bending Bends = Bending::Automatic;
-  double EdgeLength = 0.025; ///< of tessellated triangles at most, of the map's side
-  /// Of bent edges, that far at most are they drawn straight; where that is as they are in the
-  /// mesh, of some that are long.
+  double EdgeLength = 0.025; ///< longest edge of a tessellated piece, as a share of the map's side
+  /// The length, as a share of the map's side, over which a bent edge is drawn straight at most;
+  /// where edges are drawn as they are in the mesh, the length of rather long ones.
   double StraightLength() const
   {
     return this->Bends == Bending::Linear   ? 0.25
@@ -57,7 +58,7 @@ struct CasterLayer
   double EdgeLength;
   const DeepestSamples* Deepest; ///< none where receivers may be anywhere
 
-  /// Of bent edges no more than that can be seen, as a share of the map's side.
+  /// The largest bend that can't be seen, as a share of the map's side.
   float LeastBend() const;
   /// Uses a program of the light pass, and gives it all that it can ask of a layer.
   void Prepare(const Program& program) const;

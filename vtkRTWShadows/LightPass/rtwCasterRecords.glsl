@@ -2,18 +2,20 @@
 struct StraightCaster
 {
   vec2 onMap[3];
-  float depth[3];  // at the corners; where fragments take theirs from the plane, q and depth of one
+  float depth[3];  // at the three corners; or, where fragments take depth from the plane, q and depth of one corner
   vec2 slope;      // of depth, in focused light-plane coordinates
-  vec2 depthRange; // least and greatest, where the plane is asked for
+  vec2 depthRange; // least and greatest depth, where fragments take depth from the plane
 };
 
 struct BentCaster
 {
-  vec4 edges[3]; // signed distance from each at (q - anchor, 1); w: slope of depth, and its least
+  // Signed distance from each edge, as its product with (q - anchor, 1); w: the slope of depth, and the least depth.
+  vec4 edges[3];
   vec4 anchor;   // a corner: q and depth; w: the greatest depth
-  // Where it is covered by tiles:
-  vec4 corners[2]; // q of two; of the third, and whether it crosses the plane of a spot: then three of what bounds it
-  vec4 texels;     // that it can take: first, last
+  // The rest is only for a triangle that is covered by tiles.
+  // q of two corners; q of the third, and whether it crosses the plane of a spot: then three corners of its bounds
+  vec4 corners[2];
+  vec4 texels;     // the texels whose centres it can hide: first, last
   vec4 unused;
 };
 

@@ -6,15 +6,15 @@ struct CasterWork
   uint straightDraw[4]; // vertices, instances, first vertex, first instance
   uint bentDraw[4];
   uint planeDraw[4];
-  uint patchDraw[4 * PATCH_CLASSES]; // with 1, 2, 4 … pieces along an edge
+  uint patchDraw[4 * PATCH_CLASSES]; // a draw call for each class of patches
   uint firstIndex;
   uint baseVertex;
   uint instance;
   uint bentEnd; // of the indices of triangles that the warp may bend; they come first
   uint end;     // of all indices
-  uint slices;  // of covers
+  uint slices;  // number of covers that are slices
   uint numberOfCasters;
-  uint patches; // of tessellated triangles
+  uint patches; // number of patches of tessellated triangles
   uint casters[MOST_TRIANGLES]; // triangles that hide the centre of a texel; IS_COVERED is added to those whose tiles are to be found
 };
 const uint IS_COVERED = 65536u;

@@ -17,10 +17,11 @@ public:
   /// Compiles; false, with the reason in GetLog(), where the driver can't.
   bool Build();
   std::string GetLog() const { return this->Casters.GetLog(); }
-  /// Makes images of that size, of as many lights, over the focus that each has in that table.
+  /// Makes images of that size, one for each map layer: `lights` of them, each over the focus that
+  /// the layer has in that table.
   void Start(int size, int lights, const LayerTable& focused);
-  /// Draws a light's, and leaves it the target of drawing. False where the driver can't draw into
-  /// it.
+  /// Draws the image of a layer, and leaves it the target of drawing. False where the driver can't
+  /// draw into it.
   bool Draw(const GeometryStore& store, const LightFrame& frame, int light, bool cull);
   const DenseLayers& GetImages() const { return this->Images; }
   std::size_t GetMemory() const;

@@ -20,7 +20,8 @@ namespace rtw
 {
 namespace
 {
-// Stands where the light does, or before the scene; its projection leads to light-plane coordinates whatever its own frustum is.
+// Sets up a camera that stands where the light does, or before the scene; its projection leads to
+// light-plane coordinates whatever its own frustum is.
 // Its kind of projection is the viewer's, because mappers build other shaders for another kind.
 void SetLightCamera(vtkCamera* camera, const LightFrame& frame, vtkCamera* viewer)
 {
@@ -46,8 +47,8 @@ void SetLightCamera(vtkCamera* camera, const LightFrame& frame, vtkCamera* viewe
   camera->UseExplicitProjectionTransformMatrixOn();
 }
 
-// Has depth as a framed view does. Where the eye doesn't matter it stands where view coordinates begin, for imposters, which find their depth
-// from those.
+// Sets up a camera with the depths of a framed view. Where the eye doesn't matter it stands where
+// view coordinates begin, for imposters, which find their depth from those.
 void SetFramedCamera(vtkCamera* camera, const View& view, vtkCamera* viewer)
 {
   camera->DeepCopy(viewer);
@@ -66,7 +67,7 @@ void SetFramedCamera(vtkCamera* camera, const View& view, vtkCamera* viewer)
   camera->UseExplicitProjectionTransformMatrixOn();
 }
 
-// Translucent actors write no depth unless they are told to.
+// Draws translucent actors with depth, which they write only if they are told to.
 void DrawTranslucent(vtkRenderer* renderer, vtkProp* prop)
 {
   vtkInformation* keys = prop->GetPropertyKeys();
@@ -88,7 +89,7 @@ void DrawTranslucent(vtkRenderer* renderer, vtkProp* prop)
   }
 }
 
-// As its owner would draw it, alone.
+// Draws a part of a prop alone, as the prop would.
 template <class Draw>
 void DrawPart(const SceneProp& prop, Draw draw)
 {
@@ -150,7 +151,8 @@ void DrawMapperSamples(
   if (view.Framed)
   {
     renderer->SetActiveCamera(viewer);
-    viewer->Modified(); // as in DrawMapperCasters()
+    // Programs that serve both passes are to be given the viewer's matrices anew.
+    viewer->Modified();
   }
 }
 }

@@ -14,12 +14,13 @@ namespace rtw
 {
 struct View;
 
-/// The casters among the props as the light sees them, translucent ones as if they were opaque. The clip coordinates are those
-/// of the light plane; rtwPlaceCaster.glsl takes them onto the map.
+/// Draws the casters among the props as the light sees them, translucent ones as if they were
+/// opaque. The clip coordinates are those of the light plane; rtwPlaceCaster.glsl takes them onto
+/// the map.
 void DrawMapperCasters(
   vtkRenderer* renderer, const std::vector<SceneProp>& props, const LightFrame& frame);
-/// The opaque ones among the props as the camera sees them, in the depths of a view that is framed;
-/// those that receive nothing hide what is behind them.
+/// Draws the opaque ones among the props as the camera sees them, in the depths of a view that is
+/// framed; those that receive nothing hide what is behind them.
 void DrawMapperSamples(
   vtkRenderer* renderer, const std::vector<SceneProp>& props, const View& view);
 }

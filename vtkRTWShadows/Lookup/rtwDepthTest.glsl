@@ -8,8 +8,8 @@ uniform sampler2DArray rtwGradients;
 
 struct rtwReceiver
 {
-  vec3 q;          // on the focused light plane, and depth
-  vec2 gradient;   // of depth over its tangent plane
+  vec3 q;          // focus coordinates, and depth
+  vec2 gradient;   // of depth over the receiver's tangent plane, in focus coordinates
   float tolerance; // of depth
 };
 

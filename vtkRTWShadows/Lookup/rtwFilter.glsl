@@ -21,7 +21,7 @@ float rtwBilinear(int layer, rtwReceiver r)
   vec2 b = rtwSlope(layer, right);
   vec2 d = rtwSlope(layer, above);
   vec2 e = rtwSlope(layer, corner + 1);
-  // No two neighbours see the same triangle.
+  // Where no two neighbouring texels hold the same triangle, the surface is rough beside texels.
   float rough = a != b && a != d && e != b && e != d ? RTW_ROUGHNESS : 0.0;
   vec4 dark = vec4(rtwOccluded(layer, corner, c.here, r, a, rough),
     rtwOccluded(layer, right, c.right, r, b, rough), rtwOccluded(layer, above, c.above, r, d, rough),

@@ -5,7 +5,8 @@
 //
 // Taps lie on a lattice that stays where it is while receivers pass over it, so that the mean is as smooth as the weights. Rows and
 // columns are displaced against each other: no edge, however it runs, meets many taps at once.
-uniform vec4 rtwTaps[RTW_LIGHTS]; // SOFT: a place that the lattice is fixed to, its spacing, on the light plane; the radius
+// SOFT: a point that the lattice is fixed to, and its spacing, on the light plane; w: the radius, for PCF in texels
+uniform vec4 rtwTaps[RTW_LIGHTS];
 uniform int rtwFilterJitter;      // whether each pixel displaces the lattice by its own vector
 
 const float RTW_LATTICE_PERIOD = 5.0;
@@ -15,8 +16,8 @@ struct rtwKernel
 {
   vec2 at;       // the receiver, in the plane of the filter
   vec2 reach;    // beyond which nothing counts
-  vec2 spacing;  // of the lattice
-  vec2 origin;   // of the lattice
+  vec2 spacing; // from a lattice point to the next
+  vec2 origin; // a point of the lattice
   float falloff; // 1 a Gaussian of half the reach, 0 a tent
 };
 
@@ -29,7 +30,7 @@ float rtwNoise(vec2 pixel)
 #if RTW_FILTER == 2
 rtwKernel rtwMakeKernel(int light, int layer, vec4 focus, rtwReceiver r, float w)
 {
-  float reach = rtwTaps[light].w + 1.0; // as BILINEAR's, whose radius is 0
+  float reach = rtwTaps[light].w + 1.0; // the radius 0 has the reach of BILINEAR, one texel
   vec2 at = rtwWarp(layer, r.q.xy) * vec2(rtwMapSize);
   float spacing = ceil(reach / RTW_TAPS_A_RADIUS - 1e-3);
   return rtwKernel(at, vec2(reach), vec2(spacing), vec2(0.0), min(rtwTaps[light].w, 1.0));
@@ -51,9 +52,9 @@ rtwKernel rtwMakeKernel(int light, int layer, vec4 focus, rtwReceiver r, float w
   vec4 taps = rtwTaps[light];
   ivec2 texel = ivec2(rtwWarp(layer, r.q.xy) * vec2(rtwMapSize));
   TexelCentres c = rtwTexelCentres(layer, clamp(texel, ivec2(0), rtwMapSize - 1));
-  // Less than a texel would show the texels.
+  // A reach of less than a texel would show the texels.
   vec2 reach = max(vec2(taps.w / w), (abs(c.right - c.here) + abs(c.above - c.here)) / focus.yw);
-  // In few steps, because a lattice that differs from pixel to pixel is noise.
+  // The spacing grows in few steps, because a lattice that differs from pixel to pixel is noise.
   vec2 steps = ceil(2.0 * log2(reach / (RTW_TAPS_A_RADIUS * taps.z)) - 0.01);
   vec2 spacing = taps.z * exp2(0.5 * steps);
   return rtwKernel(
@@ -71,7 +72,7 @@ vec2 rtwTexelOf(int layer, vec2 tap)
 }
 #endif
 
-// Where in its cell of the lattice a tap lies.
+// Where a tap lies in its cell of the lattice.
 vec2 rtwPlaceInCell(ivec2 cell, rtwKernel k)
 {
   vec2 turn = 2.0 * vec2(cell.yx);
@@ -85,7 +86,7 @@ float rtwWeight(vec2 away, float falloff)
   return tent.x * tent.y * exp(-2.0 * falloff * dot(away, away));
 }
 
-// 1 lit, 0 in shadow.
+// The weighted mean of the decisions at all taps: 1 lit, 0 in shadow.
 float rtwFilteredByTaps(int layer, rtwReceiver r, rtwKernel k)
 {
   vec2 shift = rtwFilterJitter == 0
@@ -97,7 +98,7 @@ float rtwFilteredByTaps(int layer, rtwReceiver r, rtwKernel k)
   vec2 within = at - cell;
   // The least and the most that rtwPlaceInCell() gives.
   vec2 low = rtwOnLattice(vec2(0.5 / RTW_LATTICE_PERIOD), k);
-  // Never more than that far, which also bounds what is infinite or not a number.
+  // The loop is bounded to three steps either way, also where the reach is infinite or not a number.
   ivec2 first = max(ivec2(ceil(within - reach - 1.0 + low)), -3);
   ivec2 last = min(ivec2(floor(within + reach - low)), 3);
   vec2 sum = vec2(0.0);

@@ -1,4 +1,4 @@
-// Of each layer what a receiver needs to choose among them, for uniforms.
+// Gathers what a receiver needs of each layer to choose among layers into a buffer that is read as uniforms.
 layout(local_size_x = 32) in;
 layout(std430, binding = 0) writeonly buffer Layers
 {

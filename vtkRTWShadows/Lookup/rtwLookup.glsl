@@ -1,13 +1,14 @@
 // The shadow of one light on one receiver: where it lies on the map, and how much of the light the texels there let through.
 #if !defined(RTW_LAYERS_IN_UNIFORMS)
-uniform int rtwFirstLayer;  // that the first of these lights has
+uniform int rtwFirstLayer; // the first layer of the first of these lights
 #endif
 uniform int rtwOtherLayers; // how far behind each layer that of the light's other casters lies
 uniform mat4 rtwToLight[RTW_LIGHTS];   // from view coordinates to (l · w, depth · w, w)
 uniform vec4 rtwCone[RTW_LIGHTS];      // a spot's: centre, tangent; tangent 0 for a directional light
-uniform vec4 rtwTolerance[RTW_LIGHTS]; // of depth: of its format; of a length over w²; of the constant bias over w²; of l over w
+// x: of depth, for its format; y / w²: of depth, for rounded lengths; z / w²: the constant bias; w / w: of l
+uniform vec4 rtwTolerance[RTW_LIGHTS];
 
-const float RTW_NOT_LIT = -1.0; // averted or out of reach: VTK's lighting knows that already
+const float RTW_NOT_LIT = -1.0; // facing away from the light or out of its reach: VTK's lighting knows that already
 
 // Light-plane coordinates, depth, and w.
 vec4 rtwOnLightPlane(int light, vec3 p)
@@ -39,7 +40,7 @@ float rtwVisibilityOn(int light, int layer, vec4 focus, vec4 l, vec3 dx, vec3 dy
   if (all(equal(clamp(q.xy, 0.0, 1.0), q.xy)))
   {
     vec3 cone = rtwCone[light].xyz;
-    // Differences on one plane give its gradient whatever their length.
+    // The two differences lie in one plane, whose gradient they give whatever their length.
     vec2 gradient = vec2(dx.z * dy.y - dy.z * dx.y, dx.x * dy.z - dy.x * dx.z) / (area * focus.yw);
     vec4 t = rtwTolerance[light];
     // A length in units of depth shrinks with the square of the distance to a spot; w is 1 elsewhere.
@@ -60,13 +61,13 @@ float rtwVisibilityOn(int light, int layer, vec4 focus, vec4 l, vec3 dx, vec3 dy
 }
 
 #if RTW_PARTS > 1
-uniform vec4 rtwBeams[RTW_LIGHTS]; // as rtwFaceAt() has them
+uniform vec4 rtwBeams[RTW_LIGHTS]; // the `beam` of rtwFaceAt()
 
 #if RTW_BLENDS
-// How far the layer at a depth has given way to the next.
+// The share, 0 to 1, to which the layer at a depth has given way to the next.
 float rtwShareOfNext(int first, float depth)
 {
-  vec2 band = vec2(1.0, 0.0); // holds nothing
+  vec2 band = vec2(1.0, 0.0); // an empty band
   for (int k = rtwFaces; k < RTW_PARTS; k += rtwFaces)
   {
     vec2 here = vec2(rtwBlendStart(first + k), rtwIntervalOf(first + k).x);
@@ -76,8 +77,9 @@ float rtwShareOfNext(int first, float depth)
 }
 #endif
 
-// Beside a seam there is what no view sample knew of, as between samples or those of a pixel: the next layer that holds it will do, the
-// farther of two. With its focus, which is at hand here: to look for it by the layer's number costs more.
+// The layer that holds a point, its focus too. Beside a seam there are receivers that no view sample stands for,
+// between samples or between those of a pixel, which their own layer may not hold: the next layer that holds them will
+// do, the farther of two. The focus is returned because to look for it again by the layer's number costs more.
 int rtwLayerThatHolds(int wanted, int first, vec2 onLight, out vec4 focus)
 {
   int layer = wanted;

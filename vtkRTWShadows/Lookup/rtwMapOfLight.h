@@ -14,12 +14,13 @@ class ViewSampler;
 /// The map that is looked at, and from where.
 struct MapOfLight
 {
-  const LightFrame& Frame; ///< of its first layer
-  int OtherLayers;         ///< how far behind a layer that of its other casters lies; 0 for none
+  const LightFrame& Frame; ///< the light's frame for its first layer
+  /// How far behind a layer the one of casters that only VTK's mappers draw lies; 0 for none.
+  int OtherLayers;
   const ViewSampler& Samples;
   const LayerTable& Table;
 
-  /// Uses a program of ours that looks at it.
+  /// Uses a program of ours and gives it all that it needs to look at the map.
   void Use(const Program& program) const;
 };
 

@@ -1,15 +1,15 @@
 // What a pixel shows, as a point of a light's map: where it lies, and how far that moves from pixel to pixel.
-uniform int rtwFirstLayer; // of the light
-uniform int rtwParts;      // its layers
+uniform int rtwFirstLayer; // the light's first layer
+uniform int rtwParts;      // layers of the light
 uniform vec4 rtwBeam;
 
 struct MapSample
 {
   bool seen;     // there is a receiver
-  bool lit;      // that faces the light and lies in its reach
-  int layer;     // that it is looked up in
+  bool lit; // the receiver faces the light and lies in its reach
+  int layer;     // the layer that it is looked up in
   float facing;  // the surface and the viewer: 1 head on, 0 edge on
-  vec2 q;        // on the focus
+  vec2 q;        // its focus coordinates
   mat2 moves;    // what q moves by to the pixel on the right, and to the one above
 };
 

@@ -15,7 +15,7 @@ vec4 rtwGeometryOutput(float depth, vec3 p, vec3 n)
     vec2 slope = vec2(dFdx(a), dFdy(a));
     if (n != vec3(0.0))
     {
-      // Of the tangent plane: a difference of two points on a sphere is a chord's.
+      // The slope is that of the tangent plane: a difference of two points on a sphere would be that of a chord.
       slope = n.xy * rtwRayStep.xy * rtwRayStep.z / (perspective ? dot(n, p - rtwSeenFrom) : dot(n, rtwSeenFrom));
     }
     return vec4(a, slope, p == vec3(0.0) ? 0.0 : float(rtwReceives));

@@ -23,7 +23,8 @@ class ViewSampler;
 struct MaskLookup
 {
   const ReceiverLights& Lights;
-  int OtherLayers; ///< how far behind the first layer another is looked up too; 0 for none
+  /// How far behind a layer the one of casters that only VTK's mappers draw lies; 0 for none.
+  int OtherLayers;
   const DenseLayers& Layers;
   const LayerTable& Table;
 };
@@ -35,13 +36,14 @@ public:
   /// driver can't. Several layers a light are chosen among by uniforms, or by the table.
   bool Build(const ReceiverShape& shape, TableAccess access, bool layersInUniforms);
   std::string GetLog() const { return this->Drawing.GetLog() + this->Gathering.GetLog(); }
-  /// One layer a light.
+  /// Draws the mask of each light into a layer of its own.
   void Render(const ReceiverLights& lights, int otherLayers, const ViewSampler& samples,
     const DenseLayers& layers, const LayerTable& table);
-  /// For what fills the mask by itself: makes room, makes a layer the target of drawing.
+  /// For a MaskSource, which fills the mask by itself: makes room for so many lights, and makes a
+  /// layer the target of drawing.
   void Allocate(const ViewSampler& samples, int lights);
   bool BindTarget(int light);
-  /// Likewise for the samples of pixels that have several: a bit for each, from bit 0 on for those
+  /// The same for the samples of pixels that have several: a bit for each, from bit 0 on for those
   /// in shadow, from bit 8 on for those that face the light. Where none faces it the mask counts.
   void AllocateBits(const ViewSampler& samples, int lights);
   bool BindBits(int light);

@@ -16,7 +16,8 @@ namespace rtw
 {
 namespace
 {
-// VTK shifts and scales points that lie far from their origin.
+// The matrix that undoes a mapper's shift and scale: VTK shifts and scales points that lie far from
+// their origin.
 glm::dmat4 StoredToModel(vtkAbstractMapper* mapper)
 {
   auto* drawn = vtkOpenGLPolyDataMapper::SafeDownCast(mapper);

@@ -1,6 +1,7 @@
 // A receiver whose shadow stands in the mask.
 uniform sampler2DArray rtwMask;
-uniform ivec2 rtwMaskOrigin; // in the target; around the mask its margin goes on
+// The mask's corner in the target, in pixels; outside of the mask its outermost pixels count.
+uniform ivec2 rtwMaskOrigin;
 uniform float rtwAttenuation[RTW_LIGHTS];
 
 // What a light's colour is to be multiplied by.

@@ -1,15 +1,18 @@
 // A receiver whose pixel has several samples, each with a shadow of its own: it takes those that show it. The mask stands in where the
 // samples are unknown.
 uniform sampler2DArray rtwMask;
-uniform usampler2DArray rtwSampleBits; // in shadow, and from bit 8 on facing the light
+// Bits of a pixel's samples: 0 to 7 for those in shadow, 8 to 15 for those that face the light.
+uniform usampler2DArray rtwSampleBits;
 uniform sampler2DMS rtwManySamples;
-uniform ivec2 rtwMaskOrigin; // in the target; around the mask its margin goes on
+// The mask's corner in the target, in pixels; outside of the mask its outermost pixels count.
+uniform ivec2 rtwMaskOrigin;
 uniform int rtwSamplesAPixel;
 uniform vec2 rtwOffsets[8];     // from the centre, in pixels
-uniform float rtwHiddenBeyond;  // a distance
+uniform float rtwHiddenBeyond;  // the distance behind a sample beyond which the fragment is another surface
 uniform float rtwAttenuation[RTW_LIGHTS];
 
-const float HIDDEN_SHARE = 1e-3; // of the distance; in a framed view of what is seen
+// The same as a share of the distance or, in a framed view, of the depth of what is seen.
+const float HIDDEN_SHARE = 1e-3;
 
 uint rtwShown = 0u; // the samples that show the fragment's surface
 
@@ -18,7 +21,7 @@ ivec2 rtwPixel()
   return clamp(ivec2(gl_FragCoord.xy) - rtwMaskOrigin, ivec2(0), textureSize(rtwMask, 0).xy - 1);
 }
 
-// The covered ones, but for those where another surface is in front. To be called by all fragments.
+// The samples that the fragment covers, but for those where another surface is in front. To be called by all fragments.
 uint rtwFindShown(vec3 p)
 {
   float a = (rtwOfSample.z * p.z - rtwOfSample.x) / (rtwOfSample.y - rtwOfSample.w * p.z);

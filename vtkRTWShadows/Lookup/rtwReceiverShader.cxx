@@ -74,7 +74,8 @@ std::string WarpCode(const ReceiverShape& shape)
   return std::string(rtwMapperPhase) + rtwWarpFocus + shape.Warp.Function;
 }
 
-// The last place that knows a vertex's position: the geometry shader, where there is one.
+// Puts rtwPlaceCaster() where a vertex's position is known last: in the geometry shader, where
+// there is one.
 void InjectPlacing(std::string& vertex, std::string& geometry, const ReceiverShape& shape)
 {
   const std::string code = WarpCode(shape) + rtwPlaceCaster;
@@ -92,20 +93,22 @@ void InjectPlacing(std::string& vertex, std::string& geometry, const ReceiverSha
   }
 }
 
-// Unlit primitives and point gaussians know no position, and receive nothing.
+// Whether a fragment knows its position; unlit primitives and point gaussians don't, and receive
+// nothing.
 bool KnowsPosition(const std::string& fragment)
 {
   return Contains(fragment, "vec4 vertexVC =") || Contains(fragment, "vertexVC.xyz");
 }
 
-// As the fragment has it by now, because imposters write their own.
+// GLSL for the fragment's depth as it is by now, because imposters write their own.
 std::string DepthCode(const std::string& fragment)
 {
   return Contains(fragment, "gl_FragDepth =") ? "gl_FragDepth" : "gl_FragCoord.z";
 }
 
-// Of what VTK makes round of lines and points: how far its surface stands before the plane through the middle, seen from the eye, as a
-// share of the distance or, in a parallel view, as a length. Imposters place themselves.
+// GLSL for how far the surface of lines and points that VTK draws as tubes and spheres stands
+// before the plane through the middle, seen from the eye, as a share of the distance or, in a
+// parallel view, as a length. Imposters place themselves.
 std::string HeightOf(const std::string& fragment)
 {
   return Contains(fragment, "tubeBasis2.z") ? "lenZ * ZCalcR / clamp(tubeBasis2.z, 0.5, 1.0)"
@@ -113,7 +116,7 @@ std::string HeightOf(const std::string& fragment)
                                                       : "";
 }
 
-// In view coordinates.
+// GLSL for the fragment's position in view coordinates.
 std::string PositionOf(const std::string& fragment)
 {
   const std::string height = HeightOf(fragment);
@@ -122,7 +125,8 @@ std::string PositionOf(const std::string& fragment)
       ") : vertexVC.xyz * (1.0 - " + height + "))";
 }
 
-// Depth, the fragment's position where it has one, and the normal of imposters, which are round.
+// GLSL for depth, the fragment's position where it has one, and the normal of imposters, which are
+// round.
 std::string GeometryCode(const std::string& fragment)
 {
   const bool imposter = Contains(fragment, "gl_FragDepth =");
@@ -162,7 +166,7 @@ bool InjectPosition(ReceiverSources sources)
   return true;
 }
 
-// What the light pass and the view samples ask of a mapper.
+// Injects what the light pass and the view samples ask of a mapper.
 void InjectGeometry(ReceiverSources sources, const ReceiverShape& shape, std::string& code,
   std::string& atLight, std::string& atEnd)
 {

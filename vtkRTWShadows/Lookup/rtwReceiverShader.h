@@ -34,12 +34,13 @@ enum class Receiving
 struct ReceiverShape
 {
   WarpShape Warp{};
-  std::vector<int> Switched; ///< of each shadowing light, N of VTK's lightColorN
+  std::vector<int> Switched; ///< for each shadowing light the N of VTK's lightColorN
   int Filter = 1;
   int DepthTest = 0;
   bool OtherLayers = false; ///< whether some casters have layers of their own
-  int Parts = 1;            ///< layers a light, those aside
-  int Faces = 1;            ///< of which so many have the same depths
+  int Parts = 1;            ///< layers of each light, other casters' layers aside
+  /// Layers of the same depths, one for each side of the view frustum; 1 or 4.
+  int Faces = 1;
   bool Blends = false;      ///< whether a layer gives way to the next little by little
 
   bool operator==(const ReceiverShape& other) const;
@@ -47,7 +48,7 @@ struct ReceiverShape
 
 /// The definitions that GLSL needs before LookupCode().
 std::string DefinitionsOf(const ReceiverShape& shape);
-/// What stands between the warp and rtwVisibility(), and that itself: the same for the mask and for
+/// The code of the lookup from behind the warp to rtwVisibility(): the same for the mask and for
 /// mappers.
 std::string LookupCode(const ReceiverShape& shape);
 
@@ -58,20 +59,22 @@ struct ReceiverSources
   std::string& Fragment;
 };
 
-/// Before VTK puts its own code in: marks the places that are gone afterwards.
+/// Marks the places that are gone after VTK has put its own code in; to be called before that.
 void MarkPlaces(std::string& fragment);
-/// What Receiving::Sampled needs of the language, before VTK says which version of it that is.
+/// Asks for the extension that Receiving::Sampled needs; to be called before VTK declares the
+/// language's version.
 void RequireSamples(std::string& fragment);
-/// After it: fills them. `drawsItself` where the mapper has a part in the light pass and the view samples too.
+/// Fills the marked places; to be called after VTK has put its own code in. `drawsItself` where the
+/// mapper has a part in the light pass and the view samples too.
 void InjectReceiver(ReceiverSources sources, const ReceiverShape& shape, Receiving receiving,
   bool drawsItself);
 
-/// What a lookup goes by.
+/// Parameters of a lookup.
 struct LookupOptions
 {
   double Bias = 0;         ///< a share of the scene's size
   double FilterTexels = 0; ///< radius of PCF
-  double FilterWorld = 0;  ///< of SOFT, in world units; one of the two is 0
+  double FilterWorld = 0;  ///< radius of SOFT, in world units; one of the two radii is 0
   bool FilterJitter = false;
 };
 
@@ -79,7 +82,8 @@ struct LookupOptions
 struct ReceiverLights
 {
   std::vector<float> ToLight, Cone, Tolerance, Taps, Attenuation, Beams;
-  std::array<glm::vec4, 4> Sides{}; ///< of the view frustum
+  /// Planes of the sides of the view frustum, in view coordinates.
+  std::array<glm::vec4, 4> Sides{};
   int FilterJitter = 0;
   int Count = 0;
 
@@ -100,9 +104,9 @@ struct ReceiverUniforms
   int GridLayers = 0;
   int Cells = 1, Resolution = 1;
   glm::ivec2 MapSize{ 1 };
-  int OriginX = 0, OriginY = 0; ///< of the view in the target
+  int OriginX = 0, OriginY = 0; ///< the view's corner in the target, in pixels
   ///@{
-  /// Of the view, as rtwReceiverPlace.glsl and rtwMapperOutput.glsl have it.
+  /// The view's parameters, as rtwReceiverPlace.glsl and rtwMapperOutput.glsl declare them.
   bool Framed = false;
   int PlacedBy = 0;
   float ViewBegin = 0;
@@ -113,7 +117,8 @@ struct ReceiverUniforms
   ///@}
   ReceiverLights Lights;
 
-  /// For mappers that draw in that viewport, which may lie in another target and show more around the view.
+  /// Sets the view's parameters for mappers that draw in that viewport, which may lie in another
+  /// target and show more around the view.
   void PlaceView(const glm::ivec4& viewport, const View& view);
   void Set(vtkShaderProgram* program) const;
 };

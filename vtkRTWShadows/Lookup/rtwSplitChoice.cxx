@@ -18,7 +18,7 @@ namespace rtw
 {
 namespace
 {
-constexpr int Steps = SplitSteps; // on either side of the square
+constexpr int Steps = SplitSteps; // ratios on either side of 1
 constexpr int Splits = 2 * Steps + 1;
 constexpr std::int64_t Lasting = 8; // frames that a viewer is remembered for
 }

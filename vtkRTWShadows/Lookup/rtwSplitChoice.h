@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The split of texels between s and t that the least error is predicted for, from the shadow edges
-// of frames before.
+// The ratio of texels along s to texels along t that the least error is predicted for, from the
+// shadow edges of frames before.
 #ifndef rtwSplitChoice_h
 #define rtwSplitChoice_h
 
@@ -23,9 +23,9 @@ struct MapOfLight;
 class SplitChoice
 {
 public:
-  /// Before a frame: what has been found out by now counts from this one on. `viewer` tells apart
-  /// those who take turns; they share a split. Where it isn't `used`, or `settings`, a number, has
-  /// changed, all is forgotten.
+  /// Begins a frame: what has been found out by now counts from it on. `viewer` tells apart viewers
+  /// who draw alternately; they share a ratio. All is forgotten where the choice isn't `used`, or
+  /// the number `settings` has changed.
   void Begin(bool used, const void* viewer, std::uint64_t settings);
   /// How many times as many texels along s as along t.
   double GetRatio() const;
@@ -34,20 +34,21 @@ public:
   /// Whether to ask about a frame with that signature: not while an answer is due, nor what has
   /// been asked before, so that all comes to rest. False where the driver can't.
   bool IsToAsk(std::uint64_t signature, const WarpShape& warp);
-  /// Starts to compare splits by a frame's lights, their maps of so many texels a side where they
-  /// are square, and its mask.
+  /// Starts to compare splits for a frame: by its lights, its mask, and the texels that a side of a
+  /// square map has.
   void Ask(const std::vector<MapOfLight>& lights, const TurnInput& input, std::uint64_t signature);
-  /// Until that is done; then it counts. Whether there is a better split.
+  /// Waits until the comparison is done, whose result then counts. Returns whether there is a
+  /// better ratio.
   bool Wait();
   void Dispose(Disposal dispose);
 
 private:
-  /// Of a viewer.
+  /// What is known of a viewer.
   struct View
   {
     bool Decided = false;
     std::uint64_t Asked = 0; ///< signature of the frame
-    std::int64_t Time = 0;   ///< of its last frame
+    std::int64_t Time = 0;   ///< number of the viewer's last frame
     std::vector<float> Errors;
     Readback Answer;
   };
@@ -56,11 +57,11 @@ private:
   void Forget(Disposal dispose);
 
   TurnStage Edges;
-  const char* Warp = nullptr; ///< that is compiled
+  const char* Warp = nullptr; ///< name of the warp that Comparing is compiled for
   Program Comparing;
   Buffer Errors;
   std::map<const void*, View> Views;
-  const void* Viewer = nullptr; ///< of this frame
+  const void* Viewer = nullptr; ///< the viewer of this frame
   std::uint64_t Settings = 0;
   std::int64_t Time = 0;
   bool Used = false;

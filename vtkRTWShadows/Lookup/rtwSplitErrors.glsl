@@ -1,8 +1,8 @@
-// The error that maps would have with their texels split otherwise between s and t, predicted from listed shadow edges: by how many
-// pixels these move that are off by a texel. A work group a split; lights one after another.
+// The error that maps would have with their texels divided otherwise between s and t, predicted from listed shadow
+// edges: by how many pixels these move that are off by a texel. A work group a ratio; lights one after another.
 layout(local_size_x = 256) in;
 const int GROUP = 256;
-const float WIDEST = 50.0; // pixels: what is wrong cannot be more so
+const float WIDEST = 50.0; // pixels that an edge can move by at most
 
 layout(std430, binding = 0) readonly buffer Samples
 {
@@ -14,10 +14,10 @@ layout(std430, binding = 1) buffer Errors
 {
   float rtwErrors[];
 };
-uniform vec2 rtwTexelSizes[RTW_SPLITS]; // along s and t, of the map
+uniform vec2 rtwTexelSizes[RTW_SPLITS]; // sizes of a map's texel along s and t, for each ratio
 uniform int rtwSlots;
-uniform int rtwFirstLayer; // of the light
-uniform int rtwParts;      // its layers
+uniform int rtwFirstLayer; // the light's first layer
+uniform int rtwParts;      // layers of the light
 uniform vec4 rtwBeam;
 shared float rtwPartial[GROUP];
 

@@ -1,15 +1,16 @@
-// What samples ask of a map, by their depth: where those of a bin of depths lie on the light plane, and their demand, the sum of one over
-// their footprint. Bins are even in ratio over the range that the light reaches.
+// Sorts samples into bins by depth: for each bin, the bounds of its samples on the light plane, and their demand, the
+// sum of one over their footprint. Bins are even in ratio over the range that the light reaches.
 layout(local_size_x = 16, local_size_y = 16) in;
 layout(std430, binding = 1) buffer Bins
 {
-  uint rtwBins[]; // a bin: low s, low t, high s, high t, in an order that unsigned numbers share; demand along s and t, low and high part each
+  // For each bin: low s, low t, high s, high t, by rtwOrdered(); demand along s and t, low and high part each.
+  uint rtwBins[];
 };
 uniform int rtwLight;
-uniform vec4 rtwWholeBounds; // in shares of whose extent footprints are
+uniform vec4 rtwWholeBounds; // the light's own bounds: footprints are shares of their extent
 const float LARGEST = 1048575.0;
 shared uint rtwTile[BINS * BIN_SIZE];
-vec2 rtwScale; // of the logarithm of depth: nearest, one over its range
+vec2 rtwScale; // for the logarithm of depth: the least one, and one over its range
 
 int rtwBinOf(float depth)
 {
@@ -17,7 +18,7 @@ int rtwBinOf(float depth)
   return clamp(int(share * float(BINS)), 0, BINS - 1) * BIN_SIZE;
 }
 
-// Neighbours mostly fall to one bin.
+// The bin of the samples at hand: neighbours mostly fall to one bin, and are added together.
 int rtwBinOfRun = -1;
 vec4 rtwBoundsOfRun;
 uvec2 rtwDemandOfRun;

@@ -32,13 +32,14 @@ namespace rtw
 {
 namespace
 {
-constexpr double Nowhere = 3e38;                // as rtwWriteIntervals.glsl has it
-constexpr int BinningStride = 2; // of the samples that bound layers: bins are an estimate
+constexpr double Nowhere = 3e38;                // NOWHERE of rtwWriteIntervals.glsl
+// One in so many samples, along both axes, is put into a bin: bins are an estimate.
+constexpr int BinningStride = 2;
 constexpr int NumberOfBins = 128;
-constexpr int BinSize = 6;   // numbers of a bin in shared memory
-constexpr int BinStride = 8; // and in the buffer
+constexpr int BinSize = 6;   // numbers of each bin in shared memory
+constexpr int BinStride = 8; // numbers of each bin in the buffer
 
-// As rtwSeenRange.glsl has it.
+// The uniform rtwBeyondEye of rtwSeenRange.glsl.
 float BeyondEye(const View& view)
 {
   return view.Parallel ? -1.f : float(view.BeyondEye());
@@ -95,7 +96,7 @@ void DepthSplitStage::WriteFixed(const PartitionInput& input, LayerTable& table)
     const std::size_t k = layer % input.Parts / input.Faces;
     const bool isLast = k + 2 == borders.size();
     const double from = k == 0 ? 0 : borders[k];
-    // From where view coordinates begin.
+    // Depths are measured from where view coordinates begin.
     const double beyond = input.Viewed.BeyondEye();
     table.WriteInterval(static_cast<int>(layer),
       { k == 0 ? 0 : from - beyond, isLast ? Nowhere : borders[k + 1] - beyond },

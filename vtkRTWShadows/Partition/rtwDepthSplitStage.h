@@ -15,18 +15,19 @@ namespace rtw
 {
 struct DepthSplitSettings
 {
-  int Layers = 4;         ///< by depth
-  bool Faces = false;     ///< whether each is divided among the faces of the view frustum
-  bool BySamples = false; ///< where the least error is predicted
-  double Lambda = 1;      ///< otherwise: 1 even ratios of depth, 0 even steps
-  double Blend = 0;    ///< width of the band where two layers blend, of the nearer one's interval
+  int Layers = 4;         ///< layers by depth
+  bool Faces = false;     ///< whether each is divided among the four sides of the view frustum
+  bool BySamples = false; ///< whether depths are split where the least error is predicted
+  double Lambda = 1;      ///< else from 0, even steps of depth, to 1, even ratios
+  /// Width of the band where two layers blend, as a share of the nearer one's interval.
+  double Blend = 0;
   bool Steady = false; ///< whether layers stay in place in the world
 };
 
 class DepthSplitStage : public PartitionStage
 {
 public:
-  static constexpr int MostLayers = 8; // as in rtwSplitByBins.glsl
+  static constexpr int MostLayers = 8; // the size of rtwBegin in rtwSplitByBins.glsl
 
   explicit DepthSplitStage(std::function<DepthSplitSettings()> settings);
   int GetNumberOfLayers() const override
@@ -52,7 +53,7 @@ private:
   std::function<DepthSplitSettings()> Settings;
   Program Binning, Splitting, Writing;
   Buffer Bins, Splits;
-  std::map<const void*, glm::dvec2> Steady; ///< of each viewer
+  std::map<const void*, glm::dvec2> Steady; ///< the steady range of depths of each viewer
 };
 }
 

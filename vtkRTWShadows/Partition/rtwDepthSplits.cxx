@@ -12,7 +12,8 @@ namespace rtw
 {
 namespace
 {
-constexpr double LeastNear = 1e-3; // beside the far end, since a parallel view may begin at 0
+// Least near end as a share of the far end, since a parallel view may begin at 0.
+constexpr double LeastNear = 1e-3;
 // A range that is chosen anew goes beyond what it has to hold by these factors, and one that is
 // held by no more than those. The near end moves much while the camera moves little, and matters
 // little.
@@ -47,7 +48,8 @@ double ErrorOf(const DepthBin& run)
   return Extent(run.Bounds, 0) * run.Demand.x + Extent(run.Bounds, 1) * run.Demand.y;
 }
 
-// Of a view whose coordinates begin at the eye.
+// The point at a depth on the ray through clip coordinates, in a view whose coordinates begin at
+// the eye.
 glm::dvec3 OnRay(const View& view, const glm::dvec2& clip, double depth)
 {
   const glm::dvec4 h = view.ClipToView * glm::dvec4(clip, 0, 1);
@@ -66,7 +68,8 @@ struct Sphere
   double Radius;
 };
 
-// Its radius doesn't depend on where the camera is, nor on rounding.
+// The sphere around a slice of the view. Its radius doesn't depend on where the camera is, nor on
+// rounding.
 Sphere SphereOf(const View& seen, const glm::dvec2& depths)
 {
   const View view = AtEye(seen);
@@ -78,7 +81,7 @@ Sphere SphereOf(const View& seen, const glm::dvec2& depths)
       corners.push_back(OnRay(view, glm::dvec2(k % 2 ? 1 : -1, k / 2 ? 1 : -1), depth));
     }
   }
-  // As far from near corners as from far ones, where that is in between.
+  // The centre is as far from near corners as from far ones, if such a point lies between them.
   const glm::dvec3 low = 0.25 * (corners[0] + corners[1] + corners[2] + corners[3]);
   const glm::dvec3 high = 0.25 * (corners[4] + corners[5] + corners[6] + corners[7]);
   const double length = std::max(glm::length(high - low), 1e-300);
@@ -107,8 +110,8 @@ std::vector<double> SplitDepths(const glm::dvec2& range, int layers, double lamb
   return borders;
 }
 
-// By dynamic programming: the best layers up to a bin begin with the best up to where the last
-// begins.
+// Splits bins by dynamic programming: the best layers up to a bin begin with the best up to where
+// the last layer begins.
 std::vector<int> SplitBins(const std::vector<DepthBin>& bins, int layers)
 {
   const int count = static_cast<int>(bins.size());
@@ -173,13 +176,15 @@ std::vector<glm::dvec3> SliceCorners(const View& seen, double nearest, double fa
 Rectangle SteadyFocus(const LightFrame& frame, const View& view, const glm::dvec2& depths,
   const FilterReach& reach, int resolution)
 {
-  // Of texels: a whole one on either side is spare, and what a filter reaches on the map.
+  // Texels for what is seen: a whole texel on either side is spare, and so is what a filter reaches
+  // on the map.
   const double inner = std::max((1 - 2 * reach.Share) * resolution - 2, 1.0);
   glm::dvec2 low, origin;
   double side;
   if (frame.Light.Kind == LightKind::Spot)
   {
-    // A share of the cone by powers of a half, because the slice's size on the plane isn't steady.
+    // The side is the cone's times a power of a half, because the slice's size on the plane isn't
+    // steady.
     const Rectangle seen = BoundsOnLightPlane(frame, SliceCorners(view, depths.x, depths.y));
     const double across = reach.World / frame.NearestDistance;
     const glm::dvec2 from = glm::max(seen.Low - across, frame.Bounds.Low);

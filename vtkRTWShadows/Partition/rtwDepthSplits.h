@@ -23,19 +23,19 @@ std::vector<double> SplitDepths(const glm::dvec2& range, int layers, double lamb
 struct DepthBin
 {
   Rectangle Bounds;       ///< on the light plane
-  glm::dvec2 Demand{ 0 }; ///< of its samples, the sum of one over the footprint along s and t
+  glm::dvec2 Demand{ 0 }; ///< the sum, over its samples, of one over the footprint along s and t
   bool Any = false;
 };
 
-/// Into at most so many runs of bins, so that the error which layers that are fitted to them are
-/// predicted to have, the sum of extent times demand, is least: the first bin of each.
+/// Splits bins into at most so many runs, so that the error which layers that are fitted to them
+/// are predicted to have, the sum of extent times demand, is least: the first bin of each.
 std::vector<int> SplitBins(const std::vector<DepthBin>& bins, int layers);
 
 /// A range of depths that holds that of a view's projection: the one that was held before, as long
 /// as it does and isn't much wider; 0 to 0 for none.
 glm::dvec2 SteadyRange(const View& view, const glm::dvec2& held);
 
-/// Of what a view shows between two depths, in world coordinates.
+/// The corners, in world coordinates, of what a view shows between two depths.
 std::vector<glm::dvec3> SliceCorners(const View& view, double nearest, double farthest);
 
 /// A square on the light plane that holds what the view shows between two depths, and what a filter

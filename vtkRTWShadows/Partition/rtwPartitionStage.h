@@ -23,16 +23,16 @@ struct View;
 
 struct PartitionInput
 {
-  const std::vector<LightFrame>& Frames; ///< one a light
+  const std::vector<LightFrame>& Frames; ///< one frame for each light
   const View& Viewed;
   const void* Viewer;         ///< who looks, only compared with others
-  const ViewSampler& Samples; ///< where they are needed
+  const ViewSampler& Samples; ///< the view samples, where they are needed
   const LayerBlocks& Blocks;
-  const Buffer& Range; ///< likewise, as SampleBounds::GetRange()
+  const Buffer& Range; ///< SampleBounds::GetRange(), where it is needed
   int Stride = 1;
   int Parts = 1;      ///< layers a light, GetNumberOfLayers() or fewer
-  int Faces = 1;      ///< of which so many have the same depths
-  int Resolution = 1; ///< of a layer
+  int Faces = 1;      ///< layers of the same depths, one for each side of the view frustum; 1 or 4
+  int Resolution = 1; ///< texels a side of a layer
   bool FocusOnView = true;
   FilterReach Reach;
 };
@@ -40,8 +40,9 @@ struct PartitionInput
 class PartitionStage : public ResourceOwner
 {
 public:
-  virtual int GetNumberOfLayers() const = 0; ///< of a light
-  /// Of the view frustum that each depth is divided among; layers of a depth stand together.
+  virtual int GetNumberOfLayers() const = 0; ///< layers of each light
+  /// Sides of the view frustum that each range of depths is divided among: 4, or 1 for none. Layers
+  /// of the same depths stand together.
   virtual int GetNumberOfFaces() const { return 1; }
   /// Whether a layer gives way to the next little by little.
   virtual bool Blends() const { return false; }
@@ -53,7 +54,7 @@ public:
   virtual bool IsFixed(const PartitionInput&) const { return false; }
   /// Writes each layer's interval into the table; layers of a light stand together.
   virtual void Split(const PartitionInput& input, LayerTable& table) = 0;
-  /// What the layer of a frame has to cover, where that doesn't go by view samples.
+  /// The rectangle that the layer of a frame has to cover, where that doesn't go by view samples.
   virtual std::optional<Rectangle> FocusOf(const LightFrame&, const PartitionInput&) const
   {
     return {};

@@ -1,11 +1,11 @@
-// Between which distances a light's samples lie, for splits by ratios: from the eye. A parallel view has none, and splits as one would
-// that is far away.
+// The distances from the eye between which a light's samples lie, for splits by ratios. A parallel view has no eye, and
+// is split as a view from far away would be.
 layout(std430, binding = 0) readonly buffer Range
 {
-  uint rtwRange[]; // a light: nearest, farthest, from where view coordinates begin
+  uint rtwRange[]; // for each light: nearest and farthest distance from where view coordinates begin
 };
-uniform float rtwBeyondEye; // of where they begin; below 0 where there is no eye
-const float AS_FAR = 64.0;  // ranges
+uniform float rtwBeyondEye; // distance from the eye to where view coordinates begin; below 0 where there is no eye
+const float AS_FAR = 64.0;  // distance of a parallel view's substitute eye, in ranges
 
 float rtwBeforeRange(int light)
 {

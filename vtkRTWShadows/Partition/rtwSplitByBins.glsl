@@ -7,12 +7,12 @@ layout(std430, binding = 1) readonly buffer Bins
 };
 layout(std430, binding = 2) writeonly buffer Splits
 {
-  float rtwSplits[]; // a light: the borders of its layers but the range's ends
+  float rtwSplits[]; // for each light: the borders of its layers but for the range's ends
 };
 uniform int rtwParts;
 shared vec4 rtwBounds[BINS];
 shared vec2 rtwDemand[BINS];
-shared float rtwLeast[2][BINS + 1]; // error of all before a bin
+shared float rtwLeast[2][BINS + 1]; // least error of all layers before a bin
 shared int rtwBegin[8][BINS + 1];   // where a layer that ends before a bin begins
 const float NEVER = 1e30;
 
@@ -49,7 +49,7 @@ void rtwExtend(int layer, int end)
   rtwBegin[layer - 1][end] = begin;
 }
 
-// The ends of the range where a layer has nothing.
+// Writes the borders; a layer that has nothing lies at the range's ends.
 void rtwWrite(int light)
 {
   vec2 range = rtwRangeOf(light);

@@ -13,29 +13,31 @@ namespace rtw
 {
 namespace
 {
-constexpr double LeastLength = 1e-9; // of a direction that is projected, before it is but rounding
+// Length of a projected direction below which it is nothing but rounding.
+constexpr double LeastLength = 1e-9;
 constexpr double Strongest = 1e8;    // (f' - n') / n' in the search
-constexpr int Steps = 80;            // of it
+constexpr int Steps = 80;            // steps of the search
 
 // A part of the frustum that has a map, by its corners, from the eye: the beams that count are
 // those at them.
 struct Part
 {
   std::vector<glm::dvec3> Corners;
-  glm::dvec3 Along;    ///< as t is to lie, but for the light's direction
+  glm::dvec3 Along;    ///< the direction of t, before the part along the light is taken off
   double Nearest = 0;  ///< distance along the view
-  bool IsFace = false; ///< at a side of the frustum
+  bool IsFace = false; ///< whether it is a side of the frustum
 };
 
-// On the light plane: x across, y along the part's t.
+// A part as it lies on the light plane: x across, y along the part's t.
 struct Shown
 {
   std::vector<glm::dvec2> Corners;
-  std::vector<double> Widths; ///< of the image beams there
+  std::vector<double> Widths; ///< widths of the image beams at the corners
   glm::dvec2 Low, High;
 };
 
-// So that 2 tan θ is the whole image, as Equations 7 and 8 have it.
+// The width of an image beam at p, in the unit of Equations 7 and 8, in which the whole image is 2
+// tan θ wide.
 double ImageBeam(const StoredView& view, const glm::dvec3& p)
 {
   return 2 * std::tan(view.HalfAngle) * -p.z;
@@ -76,8 +78,8 @@ Shown Show(const StoredView& view, const Part& part, const glm::dvec3& direction
   return shown;
 }
 
-// M_s M_t of a map that a warp of that strength, (f' - n') / n', fits to the part (Equations 3 and
-// 4).
+// The storage M_s M_t of a map that a warp of that strength, (f' - n') / n', fits to the part
+// (Equations 3 and 4).
 double StorageOf(const Shown& shown, double strength)
 {
   const double extent = shown.High.y - shown.Low.y;
@@ -93,7 +95,8 @@ double StorageOf(const Shown& shown, double strength)
   return (high - low) * s * extent * t;
 }
 
-// Golden section over the logarithm of the strength, in which there is one minimum.
+// The least storage of any strength, by golden section over its logarithm, in which there is one
+// minimum.
 double LeastStorage(const Shown& shown)
 {
   const double ratio = 0.5 * (std::sqrt(5.0) - 1);
@@ -134,7 +137,7 @@ double StorageOf(const StoredView& view, const Part& part, int warp, const glm::
   {
     return StorageOf(shown, 0);
   }
-  // Of a face, its near edge lies that far along t on the light plane, in the mean.
+  // A face's near edge lies that far along t on the light plane, in the mean.
   const double sine = glm::length(glm::cross(glm::normalize(part.Along), direction));
   const double nearest =
     part.IsFace ? 0.5 * (shown.Corners[0].y + shown.Corners[1].y) : part.Nearest;
@@ -156,8 +159,8 @@ Part WholePart(const StoredView& view, double from, double to)
   return part;
 }
 
-// Faces that a light beam meets first, if it goes with the view, else those that it leaves by:
-// there the image beams that it meets are narrowest (section 5.1).
+// Whether a face has a map: the faces that a light beam meets first, if it goes with the view, else
+// those that it leaves by, since the image beams that it meets are narrowest there (section 5.1).
 bool IsUsed(const glm::dvec3& outward, const glm::dvec3& direction)
 {
   const double side = direction.z <= 0 ? -1 : 1;

@@ -9,7 +9,7 @@
 
 namespace rtw
 {
-/// Of a square image.
+/// A view of a square image.
 struct StoredView
 {
   double Near = 1;
@@ -25,20 +25,21 @@ double LargestErrorAlong(const StoredView& view, double nearDistance);
 ///@}
 
 ///@{
-/// In closed form, of k depth partitions whose ends grow geometrically (Equations 15 and 16), for a
-/// light overhead and one behind the viewer.
+/// Storage factors in closed form, of k depth partitions whose ends grow geometrically (Equations
+/// 15 and 16), for a light overhead or behind the viewer.
 double StorageOverhead(const StoredView& view, double nearDistance); ///< one map; Equation 12
 double StorageOptimal(const StoredView& view);            ///< the logarithmic map's; appendix C
 double StorageOverheadZP(const StoredView& view, int k);  ///< Equation 17
-double StorageOverheadZPW(const StoredView& view, int k); ///< 18; faces add nothing, 19
-double StorageBehindZP(const StoredView& view, int k);    ///< 20, warped or not
-double StorageBehindFPZPW(const StoredView& view, int k); ///< 21; θ is 45° there
+/// Equation 18; and 19, as faces add nothing
+double StorageOverheadZPW(const StoredView& view, int k);
+double StorageBehindZP(const StoredView& view, int k);    ///< Equation 20, warped or not
+double StorageBehindFPZPW(const StoredView& view, int k); ///< Equation 21, in which θ is 45°
 ///@}
 
 ///@{
-/// How that of a light overhead falls with the number of maps where f / n is large, as Equations 22
-/// and 23 compare them: without 1 / (2 tan θ), and with a depth partition for each four maps where
-/// there are faces, as there must be with any direction of the light.
+/// How the storage factor of a light overhead falls with the number of maps where f / n is large,
+/// as Equations 22 and 23 compare them: without 1 / (2 tan θ), and with a depth partition for each
+/// four maps where there are faces, as there must be with any direction of the light.
 double StorageTrendZP(const StoredView& view, int maps);
 double StorageTrendFPZPW(const StoredView& view, int maps);
 ///@}
@@ -52,9 +53,10 @@ struct StorageScheme
     Best    ///< the n' with the least storage, found by search
   };
   int Warp = None;
-  int Partitions = 1; ///< along the view
+  int Partitions = 1; ///< number of depth partitions
   bool Faces =
-    false; ///< of the frustum, as the light sees it: each gets a map, and the near plane one
+    /// Whether each face of the frustum that the light sees gets a map, and the near plane one.
+    false;
 };
 
 struct Storage
@@ -63,8 +65,9 @@ struct Storage
   int Maps = 0;
 };
 
-/// For a light of that direction, in which it travels, in a view along -z with y up: by the widths
-/// of image and light beams at the corners of all partitions (section 4.4).
+/// The storage factor for a directional light, given by the direction in which it travels, in a
+/// view along -z with y up: by the widths of image and light beams at the corners of all partitions
+/// (section 4.4).
 Storage StorageFactor(
   const StoredView& view, const StorageScheme& scheme, const glm::dvec3& direction);
 }

@@ -6,13 +6,13 @@ layout(std430, binding = 1) buffer Table
 };
 layout(std430, binding = 2) readonly buffer Splits
 {
-  float rtwSplits[]; // of those that samples decide: a light's, but the range's ends
+  float rtwSplits[]; // borders that samples decide, for each light, but for the range's ends
 };
-uniform int rtwParts; // by depth
-uniform int rtwFaces; // layers of each
+uniform int rtwParts; // layers by depth
+uniform int rtwFaces; // layers of the same depths
 uniform int rtwSplitBySamples;
-uniform float rtwLambda; // 1 even ratios, 0 even steps
-uniform float rtwBlend;  // width of the band in which two layers blend, of the nearer one's interval
+uniform float rtwLambda; // from 0, even steps, to 1, even ratios
+uniform float rtwBlend;  // width of the band in which two layers blend, as a share of the nearer one's interval
 const float NOWHERE = 3e38;
 
 float rtwSplit(vec2 range, int k)
@@ -35,7 +35,7 @@ void main()
   float before = rtwBeforeRange(light);
   for (int k = 0; k < rtwParts; ++k)
   {
-    // The first and the last hold what isn't among the samples, too.
+    // The first and the last layer hold what isn't among the samples, too.
     float from = k == 0 ? 0.0 : isAny ? rtwSplit(range, k) - before : NOWHERE;
     float to = k == rtwParts - 1 || !isAny ? NOWHERE : rtwSplit(range, k + 1) - before;
     float blend = k == 0 ? 0.0 : from - rtwBlend * (from + before - rtwSplit(range, k - 1));

@@ -34,10 +34,10 @@ public:
   {
     UNIFORM = 0,     ///< in even steps
     LOGARITHMIC = 1, ///< in even ratios (Lloyd et al. 2006, equations 15 and 16)
-    PRACTICAL = 2,   ///< between the two, by Lambda (Zhang et al. 2006)
-    /// Where, by what view samples ask for, layers without a warp are predicted to have the least
-    /// error: the sum, over layers and the two axes of the light plane, of a layer's extent times
-    /// the sum of one over its samples' footprints.
+    PRACTICAL = 2,   ///< between UNIFORM and LOGARITHMIC, by Lambda (Zhang et al. 2006)
+    /// where layers without a warp are predicted to have the least error for the view samples: the
+    /// sum, over layers and the two axes of the light plane, of a layer's extent times the sum of
+    /// one over its samples' footprints.
     SAMPLE_DISTRIBUTION = 3
   };
 
@@ -51,7 +51,7 @@ public:
 
   ///@{
   /**
-   * One of SplitSchemes; any other value is refused with an error. Default:
+   * How depths are split: one of SplitSchemes; any other value is refused with an error. Default:
    * SAMPLE_DISTRIBUTION, which has less error than LOGARITHMIC on five of six scenes, by 2 to 18 %,
    * and 3 % more on one.
    */
@@ -65,8 +65,8 @@ public:
 
   ///@{
   /**
-   * Of PRACTICAL: the weight of even ratios, the rest being that of even steps. Clamped to 0 to 1;
-   * what is not a number is refused with an error. Default: 0.5.
+   * The weight of even ratios in PRACTICAL; even steps have the rest (Zhang et al. 2006). Clamped
+   * to 0 to 1; what is not a number is refused with an error. Default: 0.5.
    */
   virtual void SetLambda(double lambda);
   vtkGetMacro(Lambda, double);

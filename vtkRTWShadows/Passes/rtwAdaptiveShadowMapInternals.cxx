@@ -128,7 +128,7 @@ bool vtkAdaptiveShadowMapPass::Internals::TakeTurns(vtkRenderer* renderer)
 
 namespace
 {
-// The one whose code all parts have; null where they have several.
+// The only kind of shading that parts with the same keys have; null where they have several kinds.
 const bool* OnlyOneOf(const rtw::KeyShadings& shadings)
 {
   const bool* const first = &shadings.Has[0][0];

@@ -24,7 +24,7 @@
 
 namespace rtw
 {
-/// What has been said once.
+/// Warnings that have been given, so that each is given only once.
 struct Warnings
 {
   bool WarnedOfContext = false;
@@ -37,17 +37,18 @@ struct Warnings
   bool WarnedOfDebugShader = false;
   bool WarnedOfSource = false;
   bool WarnedOfMemoryBound = false;
-  int WarnedOfDebugLight = -1; ///< which
-  vtkWeakPointer<vtkLight> WarnedOfNamedLight; ///< likewise
+  int WarnedOfDebugLight = -1;                 ///< the number that was warned of
+  vtkWeakPointer<vtkLight> WarnedOfNamedLight; ///< the vtkLight that was warned of
 };
 }
 
-/// Of one eye: a still pair is recognised like any still frame, since each eye has what it drew last.
+/// The state of one eye: a still pair is recognised like any still frame, since each eye has what
+/// it drew last.
 class vtkAdaptiveShadowMapPass::Internals : public rtw::Warnings
 {
 public:
   Internals() = default;
-  /// For the right eye, beside the left.
+  /// Makes the state of the right eye beside the left one's.
   explicit Internals(const Internals* left);
   const bool RightEye = false;
   rtw::ShadowPipeline Pipeline;
@@ -55,18 +56,20 @@ public:
   rtw::ReceiverUniforms Uniforms;
   rtw::LightCollection Lights;
   rtw::FrameScene Scene;
-  /// Of the code of props, by whether they draw themselves and whether they are unsampled.
+  /// The passes that stand for the code of props, by whether these draw themselves and whether they
+  /// are unsampled.
   vtkSmartPointer<rtw::ReceiverCodePass> Codes[2][2];
-  /// Of props whose parts have different code, by all of it.
+  /// The passes for props whose parts have different code, by the names of all of it.
   std::map<std::string, vtkSmartPointer<rtw::ReceiverCodePass>> MixedCodes;
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
-  vtkWeakPointer<vtkRenderer> Renderer; ///< that the last bake was for
-  vtkWeakPointer<vtkRenderer> OtherRenderer; ///< that one was for before
-  vtkSmartPointer<vtkShadowMapWarp> Warp; ///< that the pipeline uses; kept alive for its stage
-  vtkSmartPointer<vtkShadowMapPartition> Partition; ///< likewise
+  vtkWeakPointer<vtkRenderer> Renderer;      ///< the renderer that the last bake was for
+  vtkWeakPointer<vtkRenderer> OtherRenderer; ///< the renderer that the bakes before were for
+  /// The warp that the pipeline uses; kept alive for its stage.
+  vtkSmartPointer<vtkShadowMapWarp> Warp;
+  vtkSmartPointer<vtkShadowMapPartition> Partition; ///< the same for the partition
   vtkSmartPointer<vtkImageData> MaskImage, MapImage, WarpImage, ImportanceImage, AliasingImage;
   vtkRenderPass* DefaultSequence = nullptr; ///< only compared with
-  /// Whose refusals were said, as long as they live.
+  /// Props whose refusals have been reported, as long as they live.
   std::map<vtkProp*, vtkWeakPointer<vtkProp>> Refused;
   bool AwaitsDebugView = false; ///< of what is drawn next, the first since the bake
 
@@ -81,19 +84,19 @@ public:
       this->Has(light) && layer >= 0 && layer < this->Pipeline.GetLayerFrames()[0].Parts;
     return exists ? light * this->Pipeline.GetLayerFrames()[0].Parts + layer : -1;
   }
-  /// Takes out those that Scene doesn't shade.
+  /// Takes out the props that Scene doesn't shade.
   void KeepShaded(std::vector<vtkProp*>& props) const;
-  /// Of props that were in none of the answers before.
+  /// The refusals of props that were in none of the answers before.
   std::vector<rtw::SceneRefusal> FindNewRefusals();
   bool MakeCurrent();
   void UseWarp(vtkShadowMapWarp* warp);
   void UsePartition(vtkShadowMapPartition* partition);
   std::uint64_t Sign(vtkMTimeType warpTime, vtkMTimeType partitionTime) const;
-  /// Of mappers, with the shape that the options have.
+  /// The code of mappers, with the shape that the options have.
   rtw::ReceiverCode MakeCode(bool drawsItself, bool unsampled) const;
-  /// What stands for the code of the scene's props, once the options are known.
+  /// Finds the passes that stand for the code of the scene's props, once the options are known.
   void FindCodes();
-  /// Of what draws with such keys.
+  /// The pass that stands for the code of what draws with such keys.
   vtkSmartPointer<rtw::ReceiverCodePass> CodeOf(const vtkObjectBase* keys) const;
   /// True where it comes back to a renderer after another one.
   bool TakeTurns(vtkRenderer* renderer);

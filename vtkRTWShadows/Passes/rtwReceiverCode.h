@@ -20,7 +20,7 @@ struct ReceiverCode
   bool DrawsItself = false; ///< the mapper has a part in the light pass and the view samples too
 
   static ReceiverCode Make(const ReceiverShape& shape, Receiving way, bool drawsItself);
-  /// Different for different code.
+  /// A name that differs for different code.
   std::string GetName() const;
 };
 
@@ -33,7 +33,8 @@ public:
   static ReceiverCodePass* New();
   vtkTypeMacro(ReceiverCodePass, vtkOpenGLRenderPass);
 
-  /// The one that there is while somebody holds it, or a new one. Of code by its name, or several.
+  /// The pass for code of that name, or for several: the one that there is while somebody holds it,
+  /// or a new one.
   static vtkSmartPointer<ReceiverCodePass> Of(const std::string& name);
 
   /// While one lives, that pass answers.

@@ -57,7 +57,8 @@ std::shared_ptr<Pass> OfWindow(vtkRenderWindow* window, Make make)
   return pass;
 }
 
-// Whoever has it last releases what it has on the GPU: a released pass draws no more as it did.
+// Lets go of a pass. Whoever has it last releases what it has on the GPU: a released pass draws no
+// more as it did.
 template <class Pass>
 void GiveUp(std::shared_ptr<Pass>& pass, vtkWindow* window)
 {

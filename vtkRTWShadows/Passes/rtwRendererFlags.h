@@ -33,7 +33,8 @@ public:
 
   /// The pass that draws opaque props: the plain one that is given, unless lines are to be hidden.
   vtkRenderPass* DrawOpaque(const vtkRenderState* s, vtkRenderPass* opaque);
-  /// What surrounds the opaque step, itself where nothing does. Hidden lines have none, as in VTK.
+  /// The pass around the opaque step, or the step itself where there is none. Hidden lines have
+  /// none, as in VTK.
   vtkRenderPass* AroundOpaque(const vtkRenderState* s, vtkRenderPass* step);
   /// The pass that draws translucent props, or that plain one that is given. Null where nothing is translucent.
   /// Inside another pass only peeling is heeded: blending in any order draws aside, where that pass's code is wrong.
@@ -41,7 +42,7 @@ public:
     const vtkRenderState* s, vtkRenderPass* translucent, vtkRenderPass* volumetric);
   /// Whether that pass draws the volumes too.
   bool PeelsVolumes() const { return this->PeeledVolumes; }
-  /// What comes between translucent props and volumes; null for nothing.
+  /// The pass between translucent props and volumes; null for none.
   vtkRenderPass* AfterTranslucent(const vtkRenderState* s);
 
   void ReleaseGraphicsResources(vtkWindow* w);
@@ -56,8 +57,8 @@ private:
   bool PeeledVolumes = false;
   vtkNew<HiddenLinesStep> HiddenLines;
   vtkNew<vtkSSAOPass> Occlusion;
-  // Those that put code into mappers' shaders are their window's: else viewports that share translucent actors
-  // would have these built by turns.
+  // Those that put code into mappers' shaders are their window's: else viewports that share
+  // translucent actors would have these built anew again and again.
   std::shared_ptr<vtkOrderIndependentTranslucentPass> Blending;
   std::shared_ptr<vtkDepthPeelingPass> Peeling; // one of two kinds
   vtkNew<FXAAStep> Smoothing;

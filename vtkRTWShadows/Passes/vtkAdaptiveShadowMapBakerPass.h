@@ -3,8 +3,9 @@
  * @class   vtkAdaptiveShadowMapBakerPass
  * @brief   brings the shadow maps of a vtkAdaptiveShadowMapPass up to date
  *
- * Stands before its pass in the classic chain. It is made by its pass and has no settings but the Resolution that it shares with
- * it. Maps are drawn from the meshes themselves, so that OpaqueSequence and CompositeZPass are not used.
+ * The baker stands before its pass in the classic chain. It is made by its pass and has no settings
+ * but the Resolution that it shares with it. Maps are drawn from the meshes themselves, so that
+ * OpaqueSequence and CompositeZPass are not used.
  */
 #ifndef vtkAdaptiveShadowMapBakerPass_h
 #define vtkAdaptiveShadowMapBakerPass_h
@@ -27,7 +28,14 @@ public:
    */
   void SetResolution(unsigned int resolution) override;
 
+  /**
+   * Draws those shadow maps anew that the frame needs and that something has changed for. Draws
+   * nothing to the window.
+   */
   void Render(const vtkRenderState* s) override;
+  /**
+   * Frees the OpenGL objects that were made for that window. The next frame makes new ones.
+   */
   void ReleaseGraphicsResources(vtkWindow* w) override;
 
 protected:

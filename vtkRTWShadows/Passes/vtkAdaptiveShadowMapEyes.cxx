@@ -51,7 +51,7 @@ void vtkAdaptiveShadowMapPass::UseEye(vtkRenderer* renderer)
   this->UseEye(right);
 }
 
-// In whose context it is; null for one that is gone.
+// Drops the right eye, whose resources are in the window's context; null for a window that is gone.
 void vtkAdaptiveShadowMapPass::DropRightEye(vtkWindow* w)
 {
   this->UseEye(false);

@@ -186,7 +186,7 @@ void vtkAdaptiveShadowMapPass::Bake(const vtkRenderState* s)
                                   << my.Options.Resolution);
   }
   my.Options.ViewSampleStride = this->ViewSampleStride;
-  // Of several samples a pixel there is no one depth.
+  // A pixel with several samples has no single depth.
   my.Options.PreviousFrame =
     this->ViewSampleSource == PREVIOUS_FRAME && window->GetMultiSamples() <= 1;
   my.Options.FocusOnView = this->FocusOnView;

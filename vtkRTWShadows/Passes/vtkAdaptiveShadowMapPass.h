@@ -63,8 +63,8 @@ public:
 
   ///@{
   /**
-   * Per prop, in its property keys: whether it casts and whether it receives shadows. 0 or 1; where a prop has no
-   * such key it does both.
+   * Keys for the property keys of a prop (vtkProp::SetPropertyKeys()): whether it casts and whether
+   * it receives shadows, 0 or 1. Default, for a prop without the key: 1.
    */
   static vtkInformationIntegerKey* CASTS_SHADOW();
   static vtkInformationIntegerKey* RECEIVES_SHADOW();
@@ -72,8 +72,9 @@ public:
 
   ///@{
   /**
-   * Of the last frame: lights with shadows; lights that are on and need none, because they are black, shine from the eye, or
-   * their shadows weigh nothing; layers drawn, and layers kept because nothing had changed.
+   * Counts of the last frame: lights with shadows; lights that are on and need no shadows, because
+   * they are black, shine from the eye, or their shadows weigh nothing; layers drawn; and layers
+   * kept because nothing had changed.
    */
   int GetNumberOfShadowLights();
   int GetNumberOfLightsSkipped();
@@ -83,9 +84,9 @@ public:
 
   ///@{
   /**
-   * Of the last frame in which a light's layers were drawn: clusters of triangles that were drawn
-   * into a layer, and that were left out because they can't reach what it holds; without a layer
-   * the sum over all that the light has. Waits for the GPU. 0 for a light or layer that there
+   * Clusters of triangles that were drawn into a layer, and that were left out because they can't
+   * reach what it holds, in the last frame in which the light's layers were drawn; without `layer`
+   * the sum over all layers of the light. Waits for the GPU. 0 for a light or layer that there
    * isn't.
    */
   int GetNumberOfCastersDrawn(int light);
@@ -105,7 +106,7 @@ public:
 
   ///@{
   /**
-   * As the methods of those names do by number: see GetShadowLightIndex().
+   * The same as the methods of those names that take a light's number: see GetShadowLightIndex().
    */
   int GetNumberOfCastersDrawn(vtkLight* light);
   int GetNumberOfCastersCulled(vtkLight* light);
@@ -130,10 +131,10 @@ public:
   int GetNumberOfLightLayers(int light);
 
   /**
-   * Between which distances along the view direction, in world units, receivers were looked up in a
-   * light's layer in the last frame: from and up to. The first begins, and the last ends, beyond
-   * all that can be seen. False, and nothing is changed, for a light or layer that there isn't.
-   * Waits for the GPU.
+   * The distances along the view direction, in world units, from and up to which receivers were
+   * looked up in a light's layer in the last frame. The first layer begins, and the last ends,
+   * beyond all that can be seen. False, and nothing is changed, for a light or layer that there
+   * isn't. Waits for the GPU.
    */
   bool GetLayerDepthRange(int light, int layer, double range[2]);
 
@@ -182,11 +183,11 @@ public:
   vtkImageData* GetShadowMapImage(int light, int layer = 0);
 
   /**
-   * A light's warping maps: a row of values at the borders of the cells along s, one along t. Of a
-   * vtkNonOrthogonalShadowMapWarp two slices of such rows: a function along s for each row of the
-   * light plane, one along t for each column of what those make of it. Of a
-   * vtkPerspectiveShadowMapWarp the 3 x 3 matrix that it is, row by row: of (s, t, 1) it makes the
-   * map's coordinates times the third. Null and lifetime as for GetShadowMask.
+   * A light's warping maps: a row of values at the borders of the cells along s, one along t. A
+   * vtkNonOrthogonalShadowMapWarp gives two slices of such rows: a function along s for each row of
+   * the light plane, and one along t for each column of the result. A vtkPerspectiveShadowMapWarp
+   * gives its 3 x 3 matrix, row by row, which takes (s, t, 1) to homogeneous map coordinates. Null
+   * and lifetime as for GetShadowMask.
    */
   vtkImageData* GetWarpImage(int light, int layer = 0);
 
@@ -216,14 +217,29 @@ public:
    */
   void RenderShadowed(const vtkRenderState* s, vtkRenderPass* delegate);
 
+  /**
+   * Frees the OpenGL objects that were made for that window. The next frame makes new ones.
+   */
   void ReleaseGraphicsResources(vtkWindow* w) override;
 
+  ///@{
+  /**
+   * Called by mappers: puts the shadow lookup into their shaders, before and after VTK's own code.
+   */
   bool PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
     std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
   bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
     std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
+  ///@}
+
+  /**
+   * Called by mappers: gives their shaders the parameters of the shadow lookup.
+   */
   bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
     vtkOpenGLVertexArrayObject* VAO = nullptr) override;
+  /**
+   * When the code that mappers' shaders get last changed: mappers built before build theirs anew.
+   */
   vtkMTimeType GetShaderStageMTime() override;
 
 protected:

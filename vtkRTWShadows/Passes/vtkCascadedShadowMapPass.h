@@ -25,37 +25,76 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * As vtkDepthSplitShadowMapPartition::SplitSchemes.
+   * Where the depths that are seen are split, as vtkDepthSplitShadowMapPartition::SplitSchemes.
    */
   enum SplitSchemes
   {
-    UNIFORM = 0,
-    LOGARITHMIC = 1,
-    PRACTICAL = 2,
-    SAMPLE_DISTRIBUTION = 3
+    UNIFORM = 0,            ///< in even steps
+    LOGARITHMIC = 1,        ///< in even ratios (Lloyd et al. 2006, equations 15 and 16)
+    PRACTICAL = 2,          ///< between UNIFORM and LOGARITHMIC, by Lambda (Zhang et al. 2006)
+    SAMPLE_DISTRIBUTION = 3 ///< where the view samples predict the least error
   };
 
   ///@{
   /**
-   * The settings of the pass's partition, for short: see vtkDepthSplitShadowMapPartition for units,
-   * ranges and defaults. They stay with that partition when another is set.
+   * Layers of each light by depth; with SplitFaces each light has four times as many. Clamped
+   * to 1 to 8. Default: 4. Like all settings below, it is one of the partition that the pass
+   * begins with, and stays with that partition when another is set.
    */
   void SetNumberOfLayers(int layers);
   int GetNumberOfLayers();
+  ///@}
+
+  ///@{
+  /**
+   * How the depths are split: one of SplitSchemes; any other value is refused with an error.
+   * Default: SAMPLE_DISTRIBUTION.
+   */
   void SetSplitScheme(int scheme);
   void SetSplitSchemeToUniform() { this->SetSplitScheme(UNIFORM); }
   void SetSplitSchemeToLogarithmic() { this->SetSplitScheme(LOGARITHMIC); }
   void SetSplitSchemeToPractical() { this->SetSplitScheme(PRACTICAL); }
   void SetSplitSchemeToSampleDistribution() { this->SetSplitScheme(SAMPLE_DISTRIBUTION); }
   int GetSplitScheme();
+  ///@}
+
+  ///@{
+  /**
+   * The weight of logarithmic splits in PRACTICAL, uniform ones having the rest (Zhang et al.
+   * 2006). Clamped to 0 (uniform) to 1 (logarithmic). A value that is not a number is refused
+   * with an error. Default: 0.5.
+   */
   void SetLambda(double lambda);
   double GetLambda();
+  ///@}
+
+  ///@{
+  /**
+   * Width of the band of depths in which the shadows of a layer and of the next one are mixed,
+   * as a share of the depths of the layer. Clamped to 0 (a seam) to 1. A value that is not a
+   * number is refused with an error. Default: 0.
+   */
   void SetBlendWidth(double share);
   double GetBlendWidth();
+  ///@}
+
+  ///@{
+  /**
+   * Whether the texels of layers without a warp lie still in the world while the camera moves,
+   * so that shadow edges do not crawl: see vtkDepthSplitShadowMapPartition::SetStable() for
+   * what that costs. Default: off.
+   */
   void SetStable(bool stable);
   bool GetStable();
   void StableOn() { this->SetStable(true); }
   void StableOff() { this->SetStable(false); }
+  ///@}
+
+  ///@{
+  /**
+   * Whether each range of depths is divided among the four sides of the view frustum too, a
+   * layer for each (Lloyd et al. 2006, section 5.1). Default: off.
+   */
   void SetSplitFaces(bool split);
   bool GetSplitFaces();
   void SplitFacesOn() { this->SetSplitFaces(true); }
@@ -63,8 +102,8 @@ public:
   ///@}
 
   /**
-   * The partition that the pass begins with, whose settings are those of the technique. It stays
-   * what it is when another is set.
+   * The partition that the pass begins with, which holds the settings above. It stays the same
+   * object when another partition is set.
    */
   vtkDepthSplitShadowMapPartition* GetDepthSplits();
 

@@ -38,13 +38,23 @@ public:
    */
   enum DepthTests
   {
-    DUAL = 0,           ///< against the receiver's tangent plane and the occluder's: nothing to tune
-    RECEIVER_PLANE = 1, ///< against the receiver's tangent plane: curved surfaces speckle
-    CONSTANT_BIAS = 2   ///< the usual one: ConstantBias is taken off the receiver's depth
+    /// Against two planes, with nothing to tune: the texel's depth has to be in front of the
+    /// receiver's tangent plane at the texel's centre, and the plane of the occluder, whose depth
+    /// gradient the map holds beside the depth, in front of the receiver at the receiver's place.
+    /// On convex surfaces the first condition keeps a surface from shadowing itself, on concave
+    /// ones the second; the tolerance follows from rounding alone. The second plane is this
+    /// module's own addition to RECEIVER_PLANE.
+    DUAL = 0,
+    /// Against the receiver's tangent plane at the texel's centre (receiver-plane depth bias):
+    /// curved surfaces speckle.
+    RECEIVER_PLANE = 1,
+    /// Against the receiver's depth less ConstantBias, the usual way: acne or detached shadows,
+    /// depending on the bias.
+    CONSTANT_BIAS = 2
   };
 
   /**
-   * What becomes of triangle edges that a warp bends.
+   * How triangles are drawn whose edges a warp bends.
    */
   enum Rasterizations
   {
@@ -60,7 +70,7 @@ public:
   enum ViewSampleSources
   {
     PREPASS = 0,       ///< a depth pass of this frame
-    PREVIOUS_FRAME = 1 ///< the depth of the last frame, seen from there
+    PREVIOUS_FRAME = 1 ///< the depth of the last frame, by its camera
   };
 
   /**
@@ -96,10 +106,10 @@ public:
 
   ///@{
   /**
-   * One of Filters; any other value is refused with an error. Each texel's decision is made by the
-   * DepthTest, whatever the filter, so that wide ones need no bias either. PCF and SOFT (Rosen
-   * 2012, section 6.2) weight up to 49 decisions, seven a side, by a Gaussian, against four of
-   * BILINEAR. Default: BILINEAR.
+   * How decisions are filtered: one of Filters; any other value is refused with an error. Each
+   * texel's decision is made by the DepthTest, whatever the filter, so that wide ones need no bias
+   * either. PCF and SOFT (Rosen 2012, section 6.2) weight up to 49 decisions, seven a side, by a
+   * Gaussian, against four of BILINEAR. Default: BILINEAR.
    */
   virtual void SetFilter(int filter);
   vtkGetMacro(Filter, int);
@@ -111,11 +121,11 @@ public:
 
   ///@{
   /**
-   * How far PCF and SOFT look around a receiver. Of PCF in texels, 0 to 8: more is taken for 8,
-   * with a warning, when it is first drawn. Of SOFT in world units, measured across the light's
-   * direction where the shadow falls, under a spot too, whose light spreads: a penumbra is twice as
-   * wide, or as a texel, if that is more. 0 is BILINEAR. What is negative, not a number, or above
-   * 1e30 is refused with an error. A change compiles no shader. Default: 2.
+   * How far PCF and SOFT look around a receiver. For PCF it is in texels, 0 to 8: more is taken for
+   * 8, with a warning, when it is first drawn. For SOFT it is in world units, measured across the
+   * light's direction where the shadow falls, under a spot too, whose light spreads: a penumbra is
+   * twice as wide, or as a texel, if that is more. 0 is BILINEAR. What is negative, not a number,
+   * or above 1e30 is refused with an error. A change compiles no shader. Default: 2.
    */
   virtual void SetFilterRadius(double radius);
   vtkGetMacro(FilterRadius, double);
@@ -134,7 +144,8 @@ public:
 
   ///@{
   /**
-   * One of DepthTests; any other value is refused with an error. Default: DUAL.
+   * How depths are compared: one of DepthTests; any other value is refused with an error. Default:
+   * DUAL.
    */
   virtual void SetDepthTest(int test);
   vtkGetMacro(DepthTest, int);

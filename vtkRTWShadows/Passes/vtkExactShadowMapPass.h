@@ -38,7 +38,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * The warp that the pass begins with. It stays what it is when another is set.
+   * The warp that the pass begins with. It stays the same object when another warp is set.
    */
   vtkRectilinearShadowMapWarp* GetRectilinearWarp();
 
@@ -55,9 +55,10 @@ public:
 
   ///@{
   /**
-   * Kilobytes for what is still to be tested. Where that is too little, the frame's mask is looked
-   * up in maps after all, which a warning says once, and the next frame has twice as much, up to
-   * the greatest bound. Clamped to 16 to 98304. Default: 24576.
+   * Kilobytes of GPU memory for the queue of triangles and grid squares that are still to be
+   * tested. Where that is too little, the frame's mask is looked up in maps after all, which a
+   * warning says once, and the next frame has twice as much, up to the greatest bound. Clamped to
+   * 16 to 98304. Default: 24576.
    */
   virtual void SetMemoryBound(int kilobytes);
   vtkGetMacro(MemoryBound, int);
@@ -65,8 +66,8 @@ public:
 
   ///@{
   /**
-   * Whether the lengths of lists are counted, at each frame, for which the frame waits. Default:
-   * off.
+   * Whether each frame counts the lengths of lists, for GetLongestList() and the others, which it
+   * waits for the GPU to do. Default: off.
    */
   virtual void SetCountLists(bool count);
   vtkGetMacro(CountLists, bool);
@@ -75,9 +76,9 @@ public:
 
   ///@{
   /**
-   * Where CountLists is on, of a light's grid in the last frame: the most view samples that any
-   * texel holds; no more than which 99 in a hundred of the texels hold that hold any; how many
-   * samples there are in all. 0 for a light that there isn't, and where they weren't counted.
+   * How long the lists of view samples in the texels of a light's grid were in the last frame: the
+   * longest; the length that 99 in a hundred of the texels with any samples don't exceed; and all
+   * lengths together. 0 for a light that there isn't, and where CountLists is off.
    */
   int GetLongestList(int light);
   int GetListPercentile99(int light);

@@ -76,7 +76,7 @@ public:
 
   ///@{
   /**
-   * Of which light DebugView is, by its number among those with shadows. What is negative is
+   * The light that DebugView shows, by its number among those with shadows. What is negative is
    * refused with an error; where there are fewer lights it is the last one's, with a warning, when
    * it is first drawn. Default: 0.
    *

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkNoTWShadowMapPass
- * @brief   non-orthogonal texture warping: one map a light, each of its rows and columns as dense
- * where the view needs it as that one wants
+ * @brief   non-orthogonal texture warping: one map a light, each row and each column of it warped
+ * by a function of its own
  *
  * T. Milet, J. Navrátil, P. Zemčík, An Improved Non-Orthogonal Texture Warping for Better Shadow
  * Rendering, 2015.
@@ -24,8 +24,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * The warp that the pass begins with, whose settings are those of the technique. It stays what it
-   * is when another is set.
+   * The warp that the pass begins with, which has the settings of the technique. It stays the same
+   * object when another warp is set.
    */
   vtkNonOrthogonalShadowMapWarp* GetNonOrthogonalWarp();
 

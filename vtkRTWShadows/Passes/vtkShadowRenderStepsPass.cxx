@@ -43,7 +43,7 @@ vtkShadowMapPass* vtkShadowRenderStepsPass::GetShadowMapPass()
   return this->ShadowMapPass;
 }
 
-// Null for none.
+// The opaque step; null for none.
 vtkRenderPass* vtkShadowRenderStepsPass::MakeOpaqueStep(const vtkRenderState* s)
 {
   // One that somebody set is drawn as it is, as VTK's own steps do.
@@ -57,7 +57,7 @@ vtkRenderPass* vtkShadowRenderStepsPass::MakeOpaqueStep(const vtkRenderState* s)
   return this->Flags->AroundOpaque(s, drawn);
 }
 
-// With what comes between it and volumes; null for nothing.
+// The translucent step with what comes between it and volumes; null for none.
 vtkRenderPass* vtkShadowRenderStepsPass::MakeTranslucentStep(const vtkRenderState* s)
 {
   vtkRenderPass* drawn = this->TranslucentPass;

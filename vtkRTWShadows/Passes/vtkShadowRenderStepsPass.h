@@ -43,14 +43,21 @@ public:
 
   ///@{
   /**
-   * Where the shadows come from: a vtkAdaptiveShadowMapPass or one of VTK's own vtkShadowMapPass, which shadows the opaque
-   * step only. Null is no shadows. Default: a vtkRTWShadowMapPass.
+   * The pass that the shadows come from: a vtkAdaptiveShadowMapPass or one of VTK's own
+   * vtkShadowMapPass, which shadows the opaque step only. Null is no shadows. Default: a
+   * vtkRTWShadowMapPass.
    */
   virtual void SetShadowMapPass(vtkShadowMapPass* pass);
   virtual vtkShadowMapPass* GetShadowMapPass();
   ///@}
 
+  /**
+   * Draws the whole frame.
+   */
   void Render(const vtkRenderState* s) override;
+  /**
+   * Frees the OpenGL objects that were made for that window. The next frame makes new ones.
+   */
   void ReleaseGraphicsResources(vtkWindow* w) override;
 
 protected:

@@ -13,7 +13,8 @@ public:
   static vtkShadowedStepPass* New();
   vtkTypeMacro(vtkShadowedStepPass, vtkRenderPass);
 
-  /// For one frame: neither is kept alive. `bake` for the first step that has them.
+  /// Sets what to draw in one frame: neither pass is kept alive. `bake` is for the first step with
+  /// those shadows.
   void Set(vtkShadowMapPass* shadows, vtkRenderPass* delegate, bool bake);
   void Render(const vtkRenderState* s) override;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The storage axis: what fills the mask where it isn't the maps. A pipeline that has none draws
-// maps and looks them up.
+// The storage axis: what fills the shadow mask in place of a lookup in maps. A pipeline that has
+// none draws maps and looks them up.
 #ifndef rtwMaskSource_h
 #define rtwMaskSource_h
 
@@ -24,7 +24,7 @@ class MaskStage;
 class StageTimers;
 class ViewSampler;
 
-/// What a frame has for it.
+/// The data of a frame that a mask is made from.
 struct MaskJob
 {
   const std::vector<LightFrame>& Frames;
@@ -32,10 +32,11 @@ struct MaskJob
   const ViewSampler& Samples;
   const GeometryStore& Store;
   const LayerTable& Table;
-  const DenseLayers& Layers; ///< of which only those of other casters are drawn
+  /// maps, of which only those of casters that only VTK's mappers draw are drawn
+  const DenseLayers& Layers;
   const ReceiverLights& Lights;
   const ReceiverShape& Shape;
-  TableAccess Access; ///< of compute shaders
+  TableAccess Access; ///< how compute shaders read the table
   int OtherLayers;
   double SceneSize;
   bool Cull;
@@ -52,15 +53,15 @@ public:
   /// Has the GPU draw what is to take the mask's place, if it turned out that Render() could not do
   /// all of it.
   virtual void WhereIncomplete(const std::function<void()>& draw) = 0;
-  /// Whether that is known to have happened, since it was asked last, so that the frame is worth
-  /// drawing again. Never waits.
+  /// Whether it is known that Render() was incomplete since this was asked last, so that the frame
+  /// is worth drawing again. Never waits.
   virtual bool WasIncomplete() = 0;
-  /// Over what is drawn of the view samples in the target and viewport that are bound, how many of
-  /// them each texel holds. False where there is no such thing, or the driver can't.
+  /// Paints how many view samples each texel holds over what is drawn of the samples in the target
+  /// and viewport that are bound. False where texels hold no samples, or the driver can't.
   virtual bool PaintLists(const MaskJob& job, int light, double rounding) = 0;
-  /// Changes with all settings that the mask depends on.
+  /// A number that changes with all settings that the mask depends on.
   virtual std::uint64_t GetSignature() const = 0;
-  /// Clusters of a light in the last frame. Waits for the GPU.
+  /// The clusters of a light that were drawn and culled in the last frame. Waits for the GPU.
   virtual CasterCounts ReadCounts(int light) const = 0;
   virtual std::size_t GetMemory() const = 0;
 };

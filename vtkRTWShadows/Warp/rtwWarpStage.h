@@ -56,13 +56,14 @@ class WarpStage : public ResourceOwner
 public:
   virtual WarpShape GetShape() const = 0;
   virtual bool NeedsViewSamples() const = 0;
-  virtual int GetCells() const = 0; ///< of a warping function
+  virtual int GetCells() const = 0; ///< cells of a warping function
   /// Whether t has to lie along the view on each light plane, however it would be turned else.
   virtual bool LiesAlongView() const { return false; }
   /// How many times as many texels along s as along t the maps of a frame are to have. Others than
   /// 1 are for warps whose GLSL goes by rtwMapSize.
   virtual double ChooseTexelRatio(const SplitScene&) { return 1; }
-  /// Whether that is the one with the least predicted error instead.
+  /// Whether the texel ratio is the one with the least predicted error instead of
+  /// ChooseTexelRatio()'s.
   virtual bool SplitsByError() const { return false; }
   /// Texels a side of the depth image of each light that Run() looks at; 0 where it looks at none.
   virtual int GetLightImageSize() const { return 0; }
@@ -79,9 +80,9 @@ public:
   /// How many times the mean density of texels the densest cell of a layer has along s and t. Waits
   /// for the GPU.
   virtual glm::dvec2 ReadGreatestDensity(int layer) const = 0;
-  /// Of each cell along s, then along t: the importance as it was collected, and as it was used.
-  /// Of a warp that isn't separable, of each line's cells, line by line. Empty for a layer that
-  /// there isn't, and where the warp goes by none. From what Run() filled. Waits for the GPU.
+  /// The importance of each cell along s, then along t, as it was collected and as it was used,
+  /// which Run() filled in; for a warp that isn't separable that of each line's cells, line by
+  /// line. Empty for a layer that there isn't, and where the warp goes by none. Waits for the GPU.
   virtual std::vector<float> ReadImportance(int, const LayerTable&) const { return {}; }
 };
 }

@@ -107,7 +107,7 @@ def has_scene(renderer):
 
 
 def _sphere(renderer):
-    """Centre and radius of what is visible; of 1 about the origin where nothing is."""
+    """Centre and radius of what is visible, in world units; the origin and 1 where nothing is."""
     bounds = renderer.ComputeVisiblePropBounds()
     if not vtkMath.AreBoundsInitialized(bounds):
         return (0.0, 0.0, 0.0), 1.0
@@ -129,7 +129,7 @@ def _in_world(axes, shares):
 
 
 def _place(light, renderer, wanted):
-    """Let a light of ours be what is wanted, by the scene and the view as they are now."""
+    """Set a light of ours up as it was asked for, by the scene and the view as they are now."""
     if wanted == "camera-left":
         light.SetLightTypeToCameraLight()
         light.SetPosition(_TOWARDS_CAMERA_LEFT)

@@ -86,7 +86,7 @@ _NOTHING = object()
 
 
 def _parts(obj):
-    """The objects to which those settings go that are another's."""
+    """The objects to which settings go that are not the object's own: its warp and its partition."""
     parts = [getattr(obj, "Get" + name)() for name in ("Warp", "Partition", "ShadowMapBakerPass")
              if hasattr(obj, "Get" + name)]
     return [part for part in parts if isinstance(part, vtkObject)]
@@ -100,7 +100,7 @@ def _get(obj, setter):
 
 
 def _is_same(value, got):
-    """Whether a getter gives what was set; of what can't be compared it is taken to."""
+    """Whether a getter gives what was set; True where the two can't be compared."""
     if isinstance(got, bool):
         return not isinstance(value, (bool, int)) or bool(value) == got
     if isinstance(got, (int, float)) and isinstance(value, numbers.Real):
@@ -138,7 +138,7 @@ def _declared_range(obj, setter):
 
 
 def _tried_range(obj, setter):
-    """What becomes of very small and very large values, on an object that nobody uses."""
+    """The values that very small and very large ones are clamped to, on an object that nobody uses."""
     scratch = type(obj)()
     whole = isinstance(_get(scratch, setter), int)
     ends = []

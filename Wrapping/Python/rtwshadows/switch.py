@@ -16,7 +16,7 @@ _STATE = "_rtwshadows_state"
 
 
 class _State:
-    """Of one renderer whose shadows are on."""
+    """What is known of one renderer whose shadows are on."""
 
     def __init__(self):
         self.graft = None
@@ -48,7 +48,7 @@ def _release(render_pass, renderer):
 
 
 def _on_start(renderer, _event):
-    """As a frame begins: the light is fitted, and a chain made anew gets its steps back."""
+    """Called as a frame begins: fits the light, and gives a chain made anew its steps back."""
     state = _state_of(renderer)
     if state is None:
         return

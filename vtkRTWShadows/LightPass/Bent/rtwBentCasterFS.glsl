@@ -1,6 +1,7 @@
 // Whether a texel's centre lies in the triangle: on the light plane, where edges are straight.
-flat in vec3 edges[3]; // signed distance from each at (q - anchor, 1)
-const float ROUNDING = 3e-7; // of the focus; a point on a shared edge belongs to both triangles, so that nothing leaks
+flat in vec3 edges[3]; // signed distance from each edge, as its product with (q - anchor, 1)
+// a share of the focus; a point on a shared edge belongs to both triangles, so that nothing leaks
+const float ROUNDING = 3e-7;
 
 void main()
 {

@@ -1,4 +1,4 @@
-// Where the set-up of a bent triangle writes it, and what parts of the map hold it.
+// The buffers that the set-up of a bent triangle writes it to, and the parts of the map that hold it.
 layout(std430, binding = 5) writeonly buffer BentCasters
 {
   BentCaster rtwBent[];

@@ -9,12 +9,12 @@ layout(std430, binding = 1) readonly buffer Indices
 };
 layout(std430, binding = 2) readonly buffer Matrices
 {
-  mat4 rtwMatrices[]; // an instance: from the mesh to (q · w, depth · w, w)
+  mat4 rtwMatrices[]; // for each instance: from the mesh to (q · w, depth · w, w)
 };
 uniform int rtwLayer;
 uniform float rtwNearestW; // what is nearer to a spot casts no shadow
 
-const float MARGIN = 0.02; // of a texel, for rounding
+const float MARGIN = 0.02; // a share of a texel, for rounding
 
 struct Caster
 {
@@ -22,10 +22,10 @@ struct Caster
   vec2 depths; // least and greatest
   vec2 low;    // bounds of q
   vec2 high;
-  bool crosses; // the plane of a spot
+  bool crosses; // whether it crosses the plane of a spot
 };
 
-// Its edges and its plane, on the light plane.
+// The edges and the plane of a triangle, in light-plane coordinates.
 struct CasterPlane
 {
   vec3 edges[3];
@@ -46,7 +46,8 @@ void rtwExtend(inout Caster t, vec3 p)
   t.depths = vec2(min(t.depths.x, p.z), max(t.depths.y, p.z));
 }
 
-// Of the part that is not behind the light. False where none is left or all of it lies beside the map.
+// Sets the bounds of the part that is not behind the light. False where no part is left or all of it lies beside the
+// map.
 bool rtwSetBounds(inout Caster t)
 {
   t.low = vec2(1e30);
@@ -80,7 +81,7 @@ ivec4 rtwTexels(vec4 bounds)
   return ivec4(max(first, 0.0), min(last, size - 1.0));
 }
 
-// That it can take.
+// The texels whose centres the triangle can hide.
 ivec4 rtwTexelsOf(Caster t)
 {
 #if defined(RTW_TRIANGLES_ON_MAP)
@@ -93,7 +94,7 @@ ivec4 rtwTexelsOf(Caster t)
   return rtwTexels(rtwBoundsOnMap(rtwLayer, t.low, t.high));
 }
 
-// Of a triangle of the cluster.
+// Loads a triangle of the cluster; false where it hides nothing.
 bool rtwLoadCaster(uint triangle, out Caster t)
 {
   for (int k = 0; k < 3; ++k)

@@ -2,13 +2,13 @@
 // warp can bend. The other is a stack of slices, bands of rows or columns, each as wide as the triangle is there: the warp is separable
 // and monotone, so that it takes an interval on the light plane to one on the map.
 
-const int FEW_SLICES = 4; // that there is always room for
+const int FEW_SLICES = 4; // slices that there is always room for
 const uint MOST_SLICES = MOST_COVERS - uint(FEW_SLICES) * MOST_TRIANGLES;
 const float ROUNDING = 1e-6;   // a share of a coordinate
 const int BLOCK = 4;           // texels a side
-const float SLICE_COST = 33.0; // of a cover, in fragments
+const float SLICE_COST = 33.0; // the cost of a cover, in fragments
 
-// The triangle whose edges lie farther out by what a box of half that size reaches beyond them.
+// Moves the triangle's edges out by as much as a box with the half sides `by` reaches beyond them.
 void rtwGrow(inout vec2 u[3], vec2 by)
 {
   float turn = (u[1].x - u[0].x) * (u[2].y - u[0].y) - (u[1].y - u[0].y) * (u[2].x - u[0].x) < 0.0 ? -1.0 : 1.0;
@@ -28,13 +28,13 @@ void rtwGrow(inout vec2 u[3], vec2 by)
   }
 }
 
-// In texels.
+// The area of a triangle on the map, in texels.
 float rtwArea(vec2 u[3])
 {
   vec2 a = (u[1] - u[0]) * float(rtwWarpSize.y);
   vec2 b = (u[2] - u[0]) * float(rtwWarpSize.y);
   float area = 0.5 * abs(a.x * b.y - a.y * b.x);
-  return area < 1e30 ? area : 1e30; // not a number either
+  return area < 1e30 ? area : 1e30; // 1e30 also where it is not a number
 }
 
 // What the triangle spans along one axis while it is in an interval of the other, with room for rounding.
@@ -64,7 +64,8 @@ float rtwCentre(int axis, int texel)
   return rtwTexelCentre(rtwLayer, ivec2(texel))[axis];
 }
 
-// Between blocks, as rasterizers go block by block: a band that shares some with the next has them shaded twice.
+// The first texel of a slice, which lies between blocks of texels: rasterizers go block by block, so that a block that
+// two slices share is shaded twice.
 int rtwSliceStart(int first, int count, int k, int slices)
 {
   int start = first + count * k / slices;

@@ -1,6 +1,6 @@
 // Covers of a triangle under a warp that keeps straight lines straight: itself, as far as it is in front of the spot and of the warp's centre of
 // projection. Each fragment takes its depth from the triangle's plane.
-const int MOST_CORNERS = 5; // one more for each of two cuts
+const int MOST_CORNERS = 5; // three, and one more for each of two cuts
 
 // What is left of a polygon in homogeneous light-plane coordinates where its product with the plane is positive. An edge is cut in the
 // direction that leads out, so that it is cut alike in both of its triangles.

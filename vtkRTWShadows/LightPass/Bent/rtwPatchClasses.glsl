@@ -4,7 +4,7 @@ uint rtwPatchVertices(uint kind)
   return 3u << (2u * kind);
 }
 
-// Of a cluster, at most: a triangle has one, or several of the last class.
+// Patches of a cluster in a class, at most: a triangle has one patch, or several of the last class.
 uint rtwPatchesOf(uint kind)
 {
   return kind < PATCH_CLASSES - 1u ? MOST_TRIANGLES : MOST_COVERS;

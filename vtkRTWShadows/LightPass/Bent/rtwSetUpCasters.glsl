@@ -8,13 +8,15 @@ layout(std430, binding = 4) writeonly buffer StraightCasters
 {
   StraightCaster rtwStraight[];
 };
-uniform float rtwAllowedBend; // of the map's side
+uniform float rtwAllowedBend; // a share of the map's side
 uniform int rtwTessellating;  // whether what is bent more is tessellated instead of covered
 
-// Of depth, which a straight triangle interpolates: what the bends of its inside amount to must not be seen as acne.
+// The error of depth that the bends inside a triangle may amount to where its depth is interpolated, without being seen
+// as acne.
 const float ALLOWED_ERROR = 5e-7;
 
-// Relative to the corner that is farthest from the light: differences of large numbers would leave nothing of a small triangle.
+// The plane relative to the corner that is farthest from the light: differences of large numbers would leave nothing of
+// a small triangle.
 bool rtwSetPlane(Caster t, out CasterPlane p)
 {
   int a = t.points[1].w > t.points[0].w ? 1 : 0;
@@ -36,7 +38,7 @@ bool rtwSetPlane(Caster t, out CasterPlane p)
     vec3 e = cross(h[(i + 1) % 3].xyw, h[(i + 2) % 3].xyw);
     p.edges[i] = e * (area < 0.0 ? -1.0 : 1.0) / max(length(e.xy), 1e-30);
   }
-  return abs(p.slope.x) + abs(p.slope.y) < 1e30; // not seen edge on
+  return abs(p.slope.x) + abs(p.slope.y) < 1e30; // false where the light sees it edge on
 }
 
 void rtwDrawStraight(Caster t, vec2 slope, vec2 u[3])
@@ -97,7 +99,7 @@ bool rtwHidesACentre(vec2 u[3], vec2 bend)
   return !few || !all(beside);
 }
 
-// By its place in the list.
+// Sets up the triangle at a place in the list.
 void rtwSetUp(uint place)
 {
   uint triangle = rtwWork[gl_WorkGroupID.x].casters[place];

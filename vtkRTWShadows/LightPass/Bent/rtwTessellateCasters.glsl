@@ -1,10 +1,10 @@
 // A bent triangle as pieces whose edges on the map are no longer than they may be (Rosen 2012, section 6.2), in patches: what a draw call
 // with a fixed number of vertices a patch can make of it. Each class of patches has twice as many pieces along an edge and a draw call of
 // its own: most triangles of a fine mesh are a single piece.
-uniform float rtwEdgeLength; // of the map's side
+uniform float rtwEdgeLength; // a share of the map's side
 
 const int MOST_PIECES = 256; // along an edge
-const uint FEW_PATCHES = MOST_TRIANGLES; // that there is always room for
+const uint FEW_PATCHES = MOST_TRIANGLES; // patches that there is always room for
 
 int rtwPieces(vec2 a, vec2 b)
 {
@@ -39,7 +39,7 @@ vec2 rtwPointAt(Caster t, vec2 share)
   return p.xy / p.w;
 }
 
-// Of the triangle's `pieces` along an edge, unless the map has none of it.
+// Adds a patch of the triangle, which has `pieces` along an edge, unless it lies beside the map.
 void rtwAddPatchOnMap(Caster t, uint caster, int pieces, vec2 a, vec2 b, vec2 c, int side)
 {
   vec2 p = rtwPointAt(t, a / float(pieces));

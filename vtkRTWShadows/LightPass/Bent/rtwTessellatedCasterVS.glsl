@@ -13,7 +13,7 @@ layout(std430, binding = 6) readonly buffer Covers
   CasterCover rtwCovers[];
 };
 uniform int rtwLayer;
-uniform int rtwPatchClass; // of the draw call
+uniform int rtwPatchClass; // the class of patches that the draw call is for
 flat out vec3 anchor;
 flat out vec2 slope;
 flat out vec2 depthRange;
@@ -40,7 +40,7 @@ vec2 rtwOnMap(vec4 point)
   return rtwWarp(rtwLayer, point.xy / point.w);
 }
 
-// The way from a to b, `t` of it, along so many straight pieces; the same from b to a.
+// The point at `t` on the way from a to b along so many straight pieces; the same points result from b to a.
 vec2 rtwOnEdge(vec4 a, vec4 b, float t, float pieces)
 {
   if (a.x > b.x || (a.x == b.x && (a.y > b.y || (a.y == b.y && a.z > b.z))))

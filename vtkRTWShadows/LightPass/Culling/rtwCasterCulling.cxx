@@ -19,7 +19,7 @@ namespace rtw
 {
 namespace
 {
-constexpr std::size_t HeaderBytes = 8, ListedBytes = 8; // as in rtwListClusters.glsl
+constexpr std::size_t HeaderBytes = 8, ListedBytes = 8; // sizes of the list of rtwListClusters.glsl
 }
 
 std::array<Buffer*, 5> CasterCulling::Buffers()

@@ -27,11 +27,11 @@ public:
   void StartLayer(int layer);
   /// Lists a layer's clusters.
   void Cull(const CasterLayer& layer);
-  /// Of each instance, from the mesh to the layer's focus.
+  /// The matrix of each instance from the mesh to the layer's focus.
   const Buffer& GetMatrices() const { return this->Matrices; }
-  /// As rtwListClusters.glsl has it.
+  /// The list that rtwListClusters.glsl writes.
   const Buffer& GetList() const { return this->List; }
-  /// Of a layer in the last frame. Waits for the GPU.
+  /// The clusters of a layer that were drawn and culled in the last frame. Waits for the GPU.
   CasterCounts ReadCounts(int layer) const;
   std::size_t GetMemory() const;
   void Dispose(Disposal dispose);

@@ -2,18 +2,19 @@
 layout(local_size_x = 64) in;
 layout(std430, binding = 3) writeonly buffer BentEnds
 {
-  uint rtwBentEnds[]; // a draw: 0 if it is culled, otherwise one more than the end of its indices that the warp may bend
+  // For each draw: 0 if it is culled, otherwise one more than the end of its indices that the warp may bend.
+  uint rtwBentEnds[];
 };
 layout(std430, binding = 5) buffer Counts
 {
-  uint rtwCounts[]; // a layer: clusters drawn, clusters culled
+  uint rtwCounts[]; // for each layer: clusters drawn, clusters culled
 };
 uniform int rtwNumberOfDraws;
 uniform int rtwLayer;
 uniform int rtwCull;           // whether to leave out what shadows nothing in view
 uniform int rtwBending;        // whether bent triangles are treated apart
 uniform float rtwNearestW;     // what is nearer to a spot casts no shadow
-uniform float rtwLeastBend;    // of the map's side: below it bends don't matter
+uniform float rtwLeastBend;    // the share of the map's side below which bends don't matter
 
 struct Extent
 {

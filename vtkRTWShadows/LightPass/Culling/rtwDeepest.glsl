@@ -1,14 +1,14 @@
 // Where it is written how deep the view samples lie that look up each part of a map: for squares of rising size, the deepest.
 uniform int rtwSquare; // log2 of the least square's side, in texels
 
-// How many of those a side has, rounded up to a power of two.
+// The number of least squares along a side of the map, rounded up to a power of two.
 int rtwDeepestSide(int texels)
 {
   int squares = (texels + (1 << rtwSquare) - 1) >> rtwSquare;
   return squares <= 1 ? 1 : 2 << findMSB(squares - 1);
 }
 
-// Level by level.
+// The place of a square in the buffer, which holds level after level.
 int rtwDeepestPlace(int texels, int level, ivec2 square)
 {
   int base = rtwDeepestSide(texels);

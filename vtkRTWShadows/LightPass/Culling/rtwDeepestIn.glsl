@@ -7,7 +7,8 @@ float rtwDeepestOf(int level, ivec2 square)
   return texelFetch(rtwDeepest, rtwDeepestPlace(rtwWarpSize.y, level, square)).r;
 }
 
-// Of those that look up any of these texels: first, last. Up to four squares hold them.
+// The depth of the deepest sample that looks up any of these texels, given by the first and the last. Up to four
+// squares hold them.
 float rtwDeepestIn(ivec4 texels)
 {
   ivec4 squares = clamp(texels, 0, rtwWarpSize.y - 1) >> rtwSquare;
@@ -24,7 +25,7 @@ bool rtwIsBehindAll(ivec4 texels, float nearest)
   return rtwHasDeepest != 0 && nearest > rtwDeepestIn(texels);
 }
 
-// The same of a tile of so many texels, as a power of two.
+// Whether a caster whose nearest depth is that lies behind all samples of a tile of 2^level texels a side.
 bool rtwIsBehindTile(int level, ivec2 tile, float nearest)
 {
   int square = max(level, rtwSquare);

@@ -18,11 +18,12 @@ namespace rtw
 {
 namespace
 {
-constexpr int Tile = 64;       // of a work group of rtwMarkDeepest.glsl
+// Texels a side that a work group of rtwMarkDeepest.glsl goes through.
+constexpr int Tile = 64;
 constexpr int LeastSquare = 2; // log2 of its side
-constexpr int Unit = 8;        // as in rtwDeepestIn.glsl
+constexpr int Unit = 8;        // the texture unit of rtwDeepest in rtwDeepestIn.glsl
 
-// Of the least squares of texels, rounded up to a power of two.
+// The number of least squares along a side of the map, rounded up to a power of two.
 int SideOf(int texels, int square)
 {
   int side = 1;

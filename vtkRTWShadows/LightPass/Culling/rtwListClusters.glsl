@@ -2,7 +2,7 @@
 layout(local_size_x = 256) in;
 layout(std430, binding = 3) readonly buffer BentEnds
 {
-  uint rtwBentEnds[]; // as rtwCullCasters.glsl has them
+  uint rtwBentEnds[]; // as rtwCullCasters.glsl writes them
 };
 layout(std430, binding = 4) writeonly buffer List
 {

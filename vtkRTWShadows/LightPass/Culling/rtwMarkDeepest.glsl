@@ -5,7 +5,7 @@ layout(std430, binding = 0) buffer Deepest
   uint rtwDeepest[]; // as bits, whose order is that of the depths; 0 where there is no sample
 };
 uniform int rtwLayer;
-uniform float rtwReach; // of a lookup, in texels; no more than half of a square
+uniform float rtwReach; // how far a lookup reaches, in texels: no more than half of a square
 
 const float ROUNDING = 1e-6; // of depth
 const int PIXELS = 4;         // a side of a square that an invocation looks at

@@ -4,7 +4,7 @@ layout(std430, binding = 0) buffer Deepest
 {
   uint rtwDeepest[];
 };
-uniform int rtwTexels; // a side of the map
+uniform int rtwTexels; // texels a side of the map
 uniform int rtwLevel;
 
 void main()

@@ -9,7 +9,7 @@ layout(std430, binding = 5) writeonly buffer WorkGroups
 {
   uint rtwWorkGroups[3]; // one for each cluster
 };
-uniform int rtwFirst; // of the list
+uniform int rtwFirst; // the first place of the list at work
 uniform int rtwMost;  // clusters at a time
 
 void main()

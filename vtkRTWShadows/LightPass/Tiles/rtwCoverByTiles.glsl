@@ -1,4 +1,4 @@
-// What the tiles of a bent triangle are found from: rtwFirstTiles.glsl goes on.
+// Writes down what the tiles of a bent triangle are found from, which rtwFirstTiles.glsl goes on with.
 void rtwCover(Caster t, uint place, uint caster, vec2 u[3], vec2 bend)
 {
   ivec4 texels = rtwTexelsOf(t);

@@ -3,26 +3,27 @@
 // whose centres are looked at.
 //
 // All triangles' tiles of a size that are to be divided are worked on side by side, one by an invocation, from a list; those of the next
-// size are put in another. A third list has what is taken: the squares of 4 x 4 texels, and whole tiles. Covers that aren't large are points: these lie at the end of the
-// buffer of covers, the last one first.
+// size are put in another. A third list has what is taken: the squares of 4 x 4 texels, and whole tiles. Covers that
+// aren't large are points: these lie at the end of the buffer of covers, in reverse order.
 layout(std430, binding = 6) writeonly buffer Covers
 {
   CasterCover rtwCovers[];
 };
 uniform int rtwLayer;
-uniform int rtwLargestPoint; // of covers, in texels
+uniform int rtwLargestPoint; // the largest cover that is a point, in texels a side
 layout(std430, binding = 4) buffer Tiles
 {
-  uint rtwTileCounts[3]; // in each list
-  uint rtwTileGroups[3]; // of work, for the list whose turn it is
-  uint rtwTilesToDivide; // of that list, at most, so that there is room for all that they become
+  uint rtwTileCounts[3]; // number of tiles in each list
+  uint rtwTileGroups[3]; // work groups for the list whose turn it is
+  // How many tiles of that list may be divided at most, so that there is room for all that they become.
+  uint rtwTilesToDivide;
   uint rtwUnused;
   uint rtwPointDraw[4];  // vertices, instances, first vertex, first instance
   uvec2 rtwTilesToDo[];  // each list: caster; level, row, column; of level 0 are squares of texels that begin there
 };
 const uint TAKEN_LIST = 2u;
 const uint MOST_TILES = MOST_COVERS * MOST_CLUSTERS;
-const float ROUNDING = 1e-6; // of the focus, not less than in rtwBentCasterFS.glsl
+const float ROUNDING = 1e-6; // a share of the focus, not less than in rtwBentCasterFS.glsl
 
 struct Covered
 {
@@ -33,9 +34,9 @@ struct Covered
   vec2 low;
   vec2 high;
   bool crosses;
-  ivec4 texels; // that it can take: first, last
-  float depth;  // the least
-  vec3 plane;   // slope of depth, and that of the anchor
+  ivec4 texels; // the texels whose centres it can hide: first, last
+  float depth;  // the least depth
+  vec3 plane;   // slope of depth, and the depth of the anchor
 };
 
 Covered rtwLoadCovered(uint caster)
@@ -60,7 +61,7 @@ Covered rtwLoadCovered(uint caster)
   return c;
 }
 
-// Whether the triangle lies beside a tile, as one sees it along one of the tile's sides.
+// Whether a line along one of the tile's sides separates the triangle from the tile.
 bool rtwIsBeside(Covered c, Tile tile, vec2 side, vec2 other)
 {
   vec2 across = vec2(side.y, -side.x);
@@ -69,7 +70,7 @@ bool rtwIsBeside(Covered c, Tile tile, vec2 side, vec2 other)
   return min(min(away.x, away.y), away.z) > reach || max(max(away.x, away.y), away.z) < -reach;
 }
 
-// The least depth that it can have in a tile.
+// The least depth that the triangle can have in a tile.
 float rtwNearestIn(Covered c, Tile tile)
 {
   vec2 slope = c.plane.xy;
@@ -78,7 +79,7 @@ float rtwNearestIn(Covered c, Tile tile)
   return onPlane > c.depth ? onPlane : c.depth;
 }
 
-// -1 beside the triangle, 1 in it, 0 neither.
+// Where a tile lies: -1 beside the triangle, 1 in it, 0 neither.
 int rtwSideOf(Covered c, Tile tile)
 {
   vec2 box = abs(tile.alongX) + abs(tile.alongY) + tile.stray + ROUNDING;
@@ -102,7 +103,7 @@ int rtwSideOf(Covered c, Tile tile)
   return beside ? -1 : least >= 0.0 ? 1 : 0;
 }
 
-// Whether a texel's centre lies in the triangle, as the fragment shader decides it, as its place in a mask.
+// The bit at `place` if a texel's centre lies in the triangle, as the fragment shader decides it, else 0.
 uint rtwHas(Covered c, ivec2 texel, uint place)
 {
   vec3 away = vec3(rtwTexelCentre(rtwLayer, texel) - c.anchor, 1.0);
@@ -114,7 +115,8 @@ uint rtwRowOf(Covered c, ivec2 texel)
   return rtwHas(c, texel, 0u) | rtwHas(c, texel + ivec2(1, 0), 1u) | rtwHas(c, texel + ivec2(2, 0), 2u) | rtwHas(c, texel + ivec2(3, 0), 3u);
 }
 
-// The texels of a tile of 4 x 4 that it takes: first and last, none if the last comes before the first.
+// The texels of a tile of 4 x 4 whose centres the triangle hides: first and last, none if the last comes before the
+// first.
 ivec4 rtwTaken(Covered c, ivec2 first)
 {
   uvec4 rows = uvec4(rtwRowOf(c, first), rtwRowOf(c, first + ivec2(0, 1)), rtwRowOf(c, first + ivec2(0, 2)), rtwRowOf(c, first + ivec2(0, 3)));

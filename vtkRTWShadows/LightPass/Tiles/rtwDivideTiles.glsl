@@ -9,7 +9,7 @@ uniform int rtwTileList;
 const uint NOWHERE = 0u;
 const uint DIVIDED = 1u;
 const uint TAKEN = 2u;
-shared uint rtwCounts[3]; // where in both lists what becomes of the work group's begins; how much that is
+shared uint rtwCounts[3]; // places in both lists where the work group's results begin, and how many they are
 
 uint rtwFateOf(Covered c, int level, ivec2 at, bool isPart)
 {
@@ -29,7 +29,7 @@ void main()
   ivec2 first = 2 * (ivec2(item.y, item.y >> 14) & 0x3fff);
   ivec4 range = c.texels >> level;
   bool isDivided = isUsed && i < rtwTilesToDivide;
-  uint fates = isUsed && !isDivided ? TAKEN + 8u : NOWHERE; // four bits each
+  uint fates = isUsed && !isDivided ? TAKEN + 8u : NOWHERE; // four bits for each of the four tiles
   uvec2 counts = uvec2(0u, uint(fates != 0u));
   for (int k = 0; k < 4; ++k)
   {
@@ -39,7 +39,7 @@ void main()
     fates |= fate << (4 * k);
     counts += uvec2(fate & 1u, (fate >> 1) & 1u);
   }
-  // Two counts in one number.
+  // Both counts fit in one number.
   if (gl_LocalInvocationIndex == 0u)
   {
     rtwCounts[2] = 0u;

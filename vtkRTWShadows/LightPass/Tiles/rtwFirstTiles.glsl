@@ -1,6 +1,7 @@
-// The tiles, four at most, that hold what a bent triangle can take; squares of texels, where they are few.
+// The tiles, four at most, that hold the texels whose centres a bent triangle can hide, or all their squares of 4 x 4
+// texels where those are few.
 layout(local_size_x = SET_UP_GROUP) in;
-const int FEW_SQUARES = 8; // that cost less to look at than to find which of them it takes
+const int FEW_SQUARES = 8; // squares that it costs less to look at than to divide tiles down to
 
 void main()
 {

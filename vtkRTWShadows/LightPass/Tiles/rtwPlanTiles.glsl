@@ -10,7 +10,7 @@ void main()
   rtwTileGroups[2] = 1u;
   if (rtwTileList != int(TAKEN_LIST))
   {
-    // Each that is divided may take three places more than it has.
+    // Each tile that is divided may take three places more than it has.
     rtwTilesToDivide = (MOST_TILES - tiles - rtwTileCounts[TAKEN_LIST]) / 3u;
     rtwTileCounts[1 - rtwTileList] = 0u;
   }

@@ -1,5 +1,5 @@
 // A cover of a triangle that the warp bends: a square of texels, drawn as a point.
-layout(binding = 10) uniform samplerBuffer rtwCovers; // as CasterCover
+layout(binding = 10) uniform samplerBuffer rtwCovers; // the buffer of CasterCover, as vec4
 uniform ivec2 rtwWarpSize;
 flat out vec3 edges[3];
 flat out vec3 anchor;
@@ -21,7 +21,7 @@ void main()
   slope = vec2(e0.w, e1.w);
   depthRange = vec2(e2.w, corner.w);
   float side = max(square.z, square.w);
-  // All of it on the map: a point whose middle is beside that isn't drawn.
+  // The point is moved until all of it is on the map, because a point whose middle is beside that isn't drawn.
   float extent = 0.5 * side / float(rtwWarpSize.y);
   vec2 middle = min(square.xy + extent, 1.0 - extent);
   gl_PointSize = side;

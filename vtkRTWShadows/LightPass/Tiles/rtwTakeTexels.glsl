@@ -1,4 +1,5 @@
-// Covers of a triangle: tiles that lie in it, and of a square of 4 x 4 texels at its rim as much as it takes of them.
+// Writes the covers of a triangle: tiles that lie in it and, of a square of 4 x 4 texels at its rim, the part whose
+// centres it hides.
 layout(local_size_x = TILES_GROUP) in;
 
 void main()

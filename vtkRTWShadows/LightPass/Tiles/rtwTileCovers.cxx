@@ -25,9 +25,9 @@ namespace rtw
 {
 namespace
 {
-constexpr unsigned int TilesBinding = 4; // as in rtwCoveredTiles.glsl
+constexpr unsigned int TilesBinding = 4; // binding of Tiles in rtwCoveredTiles.glsl
 constexpr int TakenList = 2;
-constexpr float LargestPoint = 64; // what is larger are two triangles
+constexpr float LargestPoint = 64; // texels a side; a larger cover is drawn as two triangles
 constexpr std::size_t GroupsOffset = 12, PointDrawOffset = 32;
 constexpr std::size_t HeaderBytes = 48, TileBytes = 8;
 }

@@ -27,11 +27,11 @@ public:
   /// false, with the reason in GetLog(), where the driver can't.
   bool Build(const WarpShape& warp, TableAccess access, const std::string& definitions);
   std::string GetLog() const;
-  /// For what has been set up of that many clusters. There is room for so many covers; `prepare`
-  /// gives a program what all need.
+  /// Finds the tiles of the triangles that have been set up of so many clusters. There is room for
+  /// `mostCovers`; `prepare` gives a program what all programs need.
   void Find(int clusters, std::size_t mostCovers, const LayerTable& table,
     const std::function<void(const Program&)>& prepare);
-  /// Those of the covers that are points; the others are in the first cluster's draw.
+  /// Draws those covers that are points; the others are in the first cluster's draw.
   void DrawPoints(const std::function<void(const Program&)>& prepare);
   std::size_t GetMemory() const { return this->Tiles.GetSize(); }
   void Dispose(Disposal dispose);

@@ -1,4 +1,4 @@
-// The bounds of what isn't in shadow yet, of texels from their samples, of squares from their four.
+// The bounds of what isn't in shadow yet: those of texels from their samples, those of squares from their four parts.
 layout(local_size_x = 64) in;
 layout(std430, binding = 4) readonly buffer Listed
 {
@@ -6,7 +6,7 @@ layout(std430, binding = 4) readonly buffer Listed
 };
 uniform int rtwLevel;
 
-const uint MOST_SAMPLES = 8192u; // that are looked at; llvmpipe ends loops after 65535
+const uint MOST_SAMPLES = 8192u; // the samples of a texel that are looked at; llvmpipe ends loops after 65535
 
 void rtwExtend(inout GridNode node, vec2 low, vec2 high, float deepest)
 {

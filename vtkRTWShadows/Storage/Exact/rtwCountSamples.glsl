@@ -7,23 +7,26 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(std430, binding = 0) writeonly buffer Found
 {
-  vec4 rtwFound[]; // a sample: light-plane coordinates and depth, and its normal
+  vec4 rtwFound[]; // for each sample: light-plane coordinates and depth, and its normal
 };
 layout(std430, binding = 1) writeonly buffer Places
 {
-  uvec2 rtwPlaces[]; // its texel, and its place among that one's samples; NOWHERE where it faces no light
+  // For each sample: its texel, and its place among the texel's samples; NOWHERE where it doesn't face the light.
+  uvec2 rtwPlaces[];
 };
 layout(std430, binding = 2) writeonly buffer States
 {
-  uint rtwStates[]; // a pixel
+  uint rtwStates[]; // for each pixel, the state of rtwExactState.glsl
 };
 uniform int rtwLayer;
-uniform mat4 rtwViewToPlane; // to (l · w, depth · w, w)
+uniform mat4 rtwViewToPlane; // from view coordinates to (l · w, depth · w, w)
 uniform vec4 rtwCone;        // a spot's: centre, tangent; tangent 0 for a directional light
-uniform vec3 rtwTolerance;   // lengths: along the light; across it, and there a share of the distance from where view coordinates begin
+// tolerances: a length along the light; a length across it; and across it a share of the distance from where view
+// coordinates begin
+uniform vec3 rtwTolerance;
 uniform float rtwReference;  // r; 0 for a directional light
 uniform int rtwSamplesAPixel;
-uniform vec2 rtwOffsets[8]; // of a pixel's samples from its centre, in pixels
+uniform vec2 rtwOffsets[8]; // places of a pixel's samples from its centre, in pixels
 
 const uint NOWHERE = 0xffffffffu;
 
@@ -33,7 +36,7 @@ vec4 rtwOnPlane(vec3 p)
   return vec4(h.xyz / h.w, h.w);
 }
 
-// True where it faces the light, and is found.
+// Places a point of a pixel on the grid; true where its surface faces the light.
 bool rtwPlace(ivec2 pixel, int point, uint place)
 {
   SampledPlane plane = rtwPlaneAt(rtwSampleOf(pixel, point), pixel, rtwOffsets[point]);
@@ -41,7 +44,7 @@ bool rtwPlace(ivec2 pixel, int point, uint place)
   vec3 dx = rtwOnPlane(plane.right).xyz - here.xyz;
   vec3 dy = rtwOnPlane(plane.above).xyz - here.xyz;
   float area = dx.x * dy.y - dx.y * dy.x;
-  // As in the lookup: a surface that faces both viewer and light is seen the other way round from the light plane's back.
+  // A surface that faces both viewer and light is seen the other way round from the light plane's back.
   bool faces = plane.seen && area < 0.0 && here.w > 0.0 && (rtwCone.z == 0.0 || distance(here.xy, rtwCone.xy) <= rtwCone.z);
   if (!faces)
   {
@@ -51,7 +54,7 @@ bool rtwPlace(ivec2 pixel, int point, uint place)
   vec2 gradient = vec2(dx.z * dy.y - dy.z * dx.y, dx.x * dy.z - dy.x * dx.z) / area;
   float across = (rtwTolerance.y + rtwTolerance.z * length(plane.here)) / here.w;
   across *= rtwCone.z == 0.0 ? 1.0 : 1.0 + distance(here.xy, rtwCone.xy);
-  // Of depth, what a length along the light is.
+  // The depth that a length of 1 along the light amounts to.
   float rate = rtwReference > 0.0 ? rtwReference / here.w * (rtwReference / here.w) : 1.0;
   float depth = here.z - rtwTolerance.x * rate - across * (abs(gradient.x) + abs(gradient.y));
   vec2 onMap = rtwWarp(rtwLayer, rtwFocused(rtwFocus(rtwLayer), here.xy));

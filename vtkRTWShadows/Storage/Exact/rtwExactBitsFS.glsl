@@ -5,7 +5,7 @@ layout(std430, binding = 2) readonly buffer States
   uint rtwStates[];
 };
 uniform int rtwSamplesAPixel;
-uniform vec2 rtwOffsets[8]; // from the centre, in pixels
+uniform vec2 rtwOffsets[8]; // places of a pixel's samples from its centre, in pixels
 out uint bits;
 
 void main()

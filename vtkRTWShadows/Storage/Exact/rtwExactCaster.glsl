@@ -11,9 +11,9 @@ layout(std430, binding = 5) buffer ExactCasters
   ExactCaster rtwExactCasters[];
 };
 
-const float EDGE_ROUNDING = 1e-6; // a share
+const float EDGE_ROUNDING = 1e-6; // a share of the coordinates
 const float STEEP = 1e24;         // a slope that tells nothing
-const uint FEW_SAMPLES = 12u;     // that are tested rather than divided
+const uint FEW_SAMPLES = 12u;     // squares with no more samples are tested rather than divided
 
 bool rtwIsOutside(vec2 a, vec2 b, float turn, vec2 middle, vec2 reach)
 {
@@ -24,7 +24,7 @@ bool rtwIsOutside(vec2 a, vec2 b, float turn, vec2 middle, vec2 reach)
   return side < -dot(size, reach) - EDGE_ROUNDING * dot(size, abs(away) + reach);
 }
 
-// Whether it may be in front of any sample of a square.
+// Whether a triangle may be in front of any sample of a square.
 bool rtwMeets(ExactCaster t, GridNode node)
 {
   vec2 low = min(min(t.a.xy, t.b.xy), t.c.xy);
@@ -45,7 +45,7 @@ bool rtwMeets(ExactCaster t, GridNode node)
     !rtwIsOutside(t.b.xy, t.c.xy, turn, middle, reach) && !rtwIsOutside(t.c.xy, t.a.xy, turn, middle, reach);
 }
 
-// A square that it meets: to be divided in that step, or to be tested.
+// Queues a square that a triangle meets: to be divided in that step, or to be tested.
 void rtwPushNode(uint step, uint caster, uint node, uint level)
 {
   uint first = rtwNodes[node].first;

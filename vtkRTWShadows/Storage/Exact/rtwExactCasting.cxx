@@ -27,13 +27,13 @@ namespace rtw
 {
 namespace
 {
-constexpr double Rounding = 1e-6; // of the scene's size
+constexpr double Rounding = 1e-6; // share of the scene's size
 
 constexpr int ClustersAtATime = 256;
 constexpr std::size_t CasterBytes = 48;
 constexpr std::size_t MostCasters = 2 * ClustersAtATime * MeshCluster::MaximumTriangles;
-constexpr std::size_t MostItems = 65535 * 64; // a dispatch
-// In the queue, as rtwExactQueue.glsl has it.
+constexpr std::size_t MostItems = 65535 * 64; // the most items of a dispatch
+// Sizes and places in the queue of rtwExactQueue.glsl, in bytes.
 constexpr std::size_t StepBytes = 16;
 constexpr std::size_t TestStep = 16, ClusterStep = 17;
 constexpr std::size_t OverflowAt = 79;
@@ -150,7 +150,7 @@ void ExactCasting::Prepare(
 
 void ExactCasting::CastClusters(const ExactJob& job, const SampleGrid& grid, int first, int end)
 {
-  // All but whether anything was left out.
+  // Everything is reset but whether anything was left out.
   this->Queue.Copy(0, this->Empty, 0, 4 * OverflowAt);
   this->Prepare(this->Culling, job, grid);
   job.Store.GetClusters().BindStorage(0);
@@ -209,7 +209,7 @@ void ExactCasting::Cast(const ExactJob& job, SampleGrid& grid)
     const int end = std::min(first + ClustersAtATime, job.Store.GetNumberOfDraws());
     this->CastClusters(job, grid, first, end);
     this->Descend(job, grid);
-    // What is in shadow by now needs no more casters.
+    // Samples that are in shadow by now need no more casters.
     if (end < job.Store.GetNumberOfDraws() && (batch & (batch + 1)) == 0)
     {
       grid.Bound();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every triangle against the view samples that it may shadow: clusters, then triangles are culled
-// by what the grid holds, the rest go down its squares step by step, to a few samples that are
-// tested one by one.
+// Tests every triangle against the view samples that it may shadow: clusters, then triangles are
+// culled by what the grid holds, the rest go down its squares step by step, to a few samples that
+// are tested one by one.
 #ifndef rtwExactCasting_h
 #define rtwExactCasting_h
 
@@ -37,7 +37,7 @@ struct ExactJob
 class ExactCasting
 {
 public:
-  static constexpr unsigned int QueueBinding = 6; // as in rtwExactQueue.glsl
+  static constexpr unsigned int QueueBinding = 6; // the binding of Queue in rtwExactQueue.glsl
 
   /// Compiles for that warp; false, with the reason in GetLog(), where the driver can't.
   bool Build(const WarpShape& warp, TableAccess access);
@@ -51,10 +51,10 @@ public:
   void Cast(const ExactJob& job, SampleGrid& grid);
   /// Asks the GPU whether anything was left out of the frame, without waiting for it.
   void FinishFrame();
-  /// Whether that is known by now, and is so; once.
+  /// Whether it is known by now that something was left out; true only once.
   bool HasOverflowed();
   void BindQueue() const { this->Queue.BindStorage(QueueBinding); }
-  /// Clusters of a layer in the last frame. Waits for the GPU.
+  /// The clusters of a layer that were drawn and culled in the last frame. Waits for the GPU.
   CasterCounts ReadCounts(int layer) const;
   std::size_t GetMemory() const;
   void Dispose(Disposal dispose);

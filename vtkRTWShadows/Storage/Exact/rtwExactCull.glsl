@@ -2,18 +2,18 @@
 layout(local_size_x = 64) in;
 layout(std430, binding = 4) writeonly buffer Kept
 {
-  uvec4 rtwKept[]; // first index, indices, base vertex, instance
+  uvec4 rtwKept[]; // for each kept cluster: first index, number of indices, base vertex, instance
 };
 layout(std430, binding = 5) buffer Counts
 {
-  uint rtwCounts[]; // a layer: clusters drawn, clusters culled
+  uint rtwCounts[]; // for each layer: clusters drawn, clusters culled
 };
 uniform int rtwFirstDraw;
 uniform int rtwEndDraw;
 uniform int rtwCull;
 uniform float rtwNearestW; // what is nearer to a spot casts no shadow
-uniform float rtwRounding; // a length
-uniform float rtwReference; // as rtwCountSamples.glsl has it
+uniform float rtwRounding; // a length in world units
+uniform float rtwReference; // r of rtwCountSamples.glsl
 
 bool rtwReaches(Cluster cluster, mat4 m)
 {

@@ -1,4 +1,4 @@
-// A square that a triangle meets becomes those of its four that it meets too.
+// A square that a triangle meets is replaced by those of its four parts that the triangle meets too.
 layout(local_size_x = 64) in;
 uniform int rtwStep;
 

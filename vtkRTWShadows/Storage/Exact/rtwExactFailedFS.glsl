@@ -1,4 +1,4 @@
-// A fragment, if the queue was too short.
+// Lets a fragment through if the queue was too short, for drawing that depends on it.
 out vec4 mask;
 
 void main()

@@ -1,10 +1,10 @@
 // How many view samples each pixel's texel holds, painted over what is drawn of the view samples.
 uniform int rtwLayer;
 uniform mat4 rtwViewToLight;
-uniform ivec2 rtwOrigin; // of the viewport
+uniform ivec2 rtwOrigin; // the viewport's corner in the target, in pixels
 out vec4 colour;
 
-const float MIDDLE = 16.0; // of the scale
+const float MIDDLE = 16.0; // the number of samples in the middle of the colour scale
 
 void main()
 {

@@ -1,19 +1,20 @@
 // What the exact test has still to do. The queue begins with a command for each step (groups, 1, 1, items), then come the items, in two
-// parts that steps fill and empty by turns, and those of the test.
+// parts that steps fill and empty alternately, and those of the test.
 layout(std430, binding = 6) buffer Queue
 {
   uint rtwQueue[];
 };
-uniform int rtwQueueCapacity; // of each part, in items
+uniform int rtwQueueCapacity; // items of each part
 
 const uint GROUP = 64u;
 const uint TEST = 16u;       // the step after all others
-const uint CLUSTERS = 17u;   // that are kept
+const uint CLUSTERS = 17u;   // the step that goes through the clusters that are kept
 const uint OVERFLOW = 79u;   // whether anything was left out, ever
 const uint QUEUE_START = 80u;
-const uint CHUNK_BITS = 6u; // of a test: how many samples; the others say which is the first
+// Low bits of a test, which hold the number of samples; the others hold the first one's number.
+const uint CHUNK_BITS = 6u;
 const uint CHUNK = 1u << CHUNK_BITS;
-const uint LEVEL_SHIFT = 27u; // of a node's number
+const uint LEVEL_SHIFT = 27u; // the place of the level in a node's number
 
 uint rtwQueuePlace(uint step, uint i)
 {

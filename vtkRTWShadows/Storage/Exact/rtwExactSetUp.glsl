@@ -11,7 +11,7 @@ layout(std430, binding = 1) readonly buffer Indices
 };
 layout(std430, binding = 2) readonly buffer MeshMatrices
 {
-  dmat4 rtwMeshToPlane[]; // an instance
+  dmat4 rtwMeshToPlane[]; // for each instance
 };
 layout(std430, binding = 4) readonly buffer Kept
 {
@@ -20,7 +20,7 @@ layout(std430, binding = 4) readonly buffer Kept
 uniform float rtwNearestW;
 uniform int rtwCasterCapacity;
 
-const uint CASTERS = 72u; // in the queue: how many there are
+const uint CASTERS = 72u; // place of the number of casters in the queue
 
 dvec4 rtwCornerAt(uvec4 cluster, uint index)
 {
@@ -72,7 +72,7 @@ void rtwAddCaster(dvec4 ha, dvec4 hb, dvec4 hc)
   }
 }
 
-// Where an edge that reaches from before a lamp to beside or behind it leaves what casts.
+// The point at which an edge from before a lamp to beside or behind it leaves what can cast a shadow.
 dvec4 rtwCut(dvec4 front, dvec4 behind)
 {
   dvec4 cut = mix(front, behind, (double(rtwNearestW) - front.w) / (behind.w - front.w));
@@ -80,8 +80,8 @@ dvec4 rtwCut(dvec4 front, dvec4 behind)
   return cut;
 }
 
-// The part of a triangle that isn't beside or behind a lamp: of one that has two corners there, a triangle, of one that has one, two. No
-// array is indexed by what is computed: some drivers lose elements of those.
+// Adds the part of a triangle that isn't beside or behind a lamp: a triangle where two corners are behind, two
+// triangles where one is. No array is indexed by what is computed: some drivers lose elements of those.
 void rtwAddClipped(dvec4 a, dvec4 b, dvec4 c)
 {
   bvec3 front = bvec3(a.w >= rtwNearestW, b.w >= rtwNearestW, c.w >= rtwNearestW);
@@ -90,7 +90,7 @@ void rtwAddClipped(dvec4 a, dvec4 b, dvec4 c)
   {
     return;
   }
-  // The odd one first.
+  // The corner that differs from the other two comes first.
   bool odd = count == 1;
   bool second = front.y == odd && front.x != odd;
   bool third = front.z == odd && front.x != odd && front.y != odd;

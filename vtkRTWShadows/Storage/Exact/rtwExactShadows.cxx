@@ -27,7 +27,7 @@ namespace rtw
 {
 namespace
 {
-constexpr std::size_t ItemBytes = 3 * 8; // of all parts of the queue
+constexpr std::size_t ItemBytes = 3 * 8; // bytes of an item in all parts of the queue together
 }
 
 bool ExactShadows::Build(const MaskJob& job)
@@ -150,7 +150,7 @@ bool ExactShadows::PaintLists(const MaskJob& job, int light, double rounding)
     return false;
   }
   const LightFrame& frame = job.Frames[light];
-  // It holds the last light's samples.
+  // The grid holds the last light's samples.
   this->Grid.Fill({ job.Samples, job.Table, frame, light, job.SceneSize, 1 });
   this->Painting.Use();
   job.Samples.Bind(this->Painting);

@@ -30,10 +30,11 @@ public:
   void Dispose(Disposal dispose) override;
 
   void SetSamplesAPixel(int samples) { this->SamplesAPixel = samples; }
-  /// Of the queue, in bytes.
+  /// The most memory that the queue may take, in bytes.
   void SetMemoryBound(std::size_t bytes);
   std::size_t GetMemoryBound() const;
-  /// By each light's grid in the last frame; they take turns in memory, so only one is asked for.
+  /// Whether the lengths of the lists of each light's grid are kept: they are read in the frame,
+  /// since lights use the same memory one after another.
   void KeepLengths(bool keep) { this->KeepsLengths = keep; }
   const std::vector<ListLengths>& GetLengths() const { return this->Lengths; }
 
@@ -46,7 +47,7 @@ private:
   bool KeepsLengths = false;
   std::vector<ListLengths> Lengths;
   ReceiverShape Shape;
-  bool HasOthers = false; ///< casters that only mappers draw
+  bool HasOthers = false; ///< whether there are casters that only VTK's mappers draw
   SampleGrid Grid;
   ExactCasting Casting;
   Program Resolving, Separating, Failing, Painting;

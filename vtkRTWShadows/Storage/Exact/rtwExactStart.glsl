@@ -8,7 +8,7 @@ struct GridStart
   uvec2 last;
 };
 
-const float START_MARGIN = 0.02; // of a texel, for rounding
+const float START_MARGIN = 0.02; // a share of a texel, for rounding
 
 GridStart rtwStartOf(vec2 low, vec2 high)
 {

@@ -1,5 +1,6 @@
-// Some samples against a triangle, in unwarped light space, from the sample (Woop et al. 2013): an edge is computed from its two ends in
-// the same way for both triangles that share it, so that none of them, or both, have it, but never neither.
+// Tests some samples against a triangle, in unwarped light space, with the sample as the origin (Woop et al. 2013): an
+// edge is computed from its two ends in the same way for both triangles that share it, so that none of them, or both,
+// have it, but never neither.
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) buffer Listed
 {
@@ -14,35 +15,35 @@ layout(std430, binding = 2) buffer States
   uint rtwStates[];
 };
 
-uniform vec3 rtwFrom; // where view coordinates begin, in those of rtwInSpace()
-uniform float rtwReference; // as rtwCountSamples.glsl has it
+uniform vec3 rtwFrom; // where view coordinates begin, in the coordinates of rtwInSpace()
+uniform float rtwReference; // r of rtwCountSamples.glsl
 
-const float SAMPLE_ROUNDING = 2.4e-7; // twice that of a float
-const float BROAD = 16.0;             // as long as this many widths
-const float SLIMMEST = 1e4;           // what is more so isn't seen
-const float PARALLEL = 0.02;          // of normals
+const float SAMPLE_ROUNDING = 2.4e-7; // twice a float's relative rounding error
+const float BROAD = 16.0;             // length of a broad triangle, in widths, at most
+const float SLIMMEST = 1e4;           // length of a triangle that can be seen, in widths, at most
+const float PARALLEL = 0.02;          // the most that parallel normals differ by
 
-// In units of the reference.
+// The distance of a depth along the light's axis, in units of the reference.
 float rtwDistanceTo(float depth)
 {
   return rtwReference > 0.0 ? rtwReference / (rtwReference - depth) : 1.0;
 }
 
-// Along the light from the reference.
+// Light-plane coordinates and depth as a place in space, along the light from the reference.
 vec3 rtwInSpace(vec3 l)
 {
   float w = rtwDistanceTo(l.z);
   return rtwReference > 0.0 ? vec3(l.xy * rtwReference, l.z) * w : l;
 }
 
-// What a slope of depth on the light plane is to be multiplied by for one of lengths.
+// The factor that makes a slope of lengths of a slope of depth on the light plane.
 float rtwSlopeUnit(float depth)
 {
   return rtwReference > 0.0 ? rtwDistanceTo(depth) / rtwReference : 1.0;
 }
 
-// Rasterizers find depth by differences of the corners', so that a sample lies the farther off a triangle the longer than wide that is.
-// What is that near, and parallel, is the triangle that the sample lies on.
+// Whether a sample lies on the triangle: the triangle is near and parallel to it. Rasterizers interpolate depth by
+// differences between corners, so that the longer a triangle is for its width, the farther off it its samples lie.
 bool rtwIsOwn(ExactCaster t, vec4 s)
 {
   vec3 a = rtwInSpace(t.a.xyz);

@@ -1,4 +1,4 @@
-// Each sample into its texel's part of the list.
+// Writes each sample into its texel's part of the list.
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer Found
 {
@@ -14,7 +14,7 @@ layout(std430, binding = 4) writeonly buffer Listed
 };
 layout(std430, binding = 5) writeonly buffer Owners
 {
-  uint rtwOwners[]; // a sample's pixel, and which of its samples it is
+  uint rtwOwners[]; // for each listed sample: its pixel, and which of the pixel's samples it is
 };
 uniform int rtwNumberOfSamples;
 uniform int rtwSamplesAPixel;

@@ -29,12 +29,12 @@ namespace rtw
 namespace
 {
 constexpr std::size_t NodeBytes = 32;
-constexpr std::size_t NodeCountAt = 6; // in 4-byte words
-constexpr double LeastSamples = 4;     // a texel, in the mean
+constexpr std::size_t NodeCountAt = 6; // the place of GridNode::count, in 4-byte words
+constexpr double LeastSamples = 4;     // least samples of a texel, in the mean
 constexpr int GroupsInRow = 1024;
 
-// What coordinates lose when meshes, matrices and view samples become floats, of a scene's
-// diagonal, and of the distance from the view's origin: 2^-23 is 1.2e-7.
+// The error of coordinates after meshes, matrices and view samples became floats, as shares of the
+// scene's diagonal and of the distance from the view's origin: 2^-23 is 1.2e-7.
 constexpr double AlongLight = 2e-6;
 constexpr double AcrossLight = 2.5e-7;
 constexpr double AcrossLightOfDistance = 5e-7;

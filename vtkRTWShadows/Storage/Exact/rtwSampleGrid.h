@@ -22,18 +22,21 @@ class ViewSampler;
 /// How far from a spot along its axis depths of the exact test are 0: about what is seen, as far as
 /// nothing that it shines on is much farther; 0 for a directional light.
 double ExactReference(const LightFrame& frame, const glm::dvec3& origin);
-/// From world to (l · w, depth · w, w) as the exact test has it: depth is the signed distance along a
-/// directional light from the view's origin, and r - r²/w under a spot, with r the reference.
+/// The matrix from world coordinates to the exact test's (l · w, depth · w, w): depth is the signed
+/// distance along a directional light from the view's origin, and r - r²/w under a spot, with r the
+/// reference.
 glm::dmat4 WorldToExactPlane(const LightFrame& frame, const glm::dvec3& origin);
 
 /// How many samples lie on the texels that have any.
 struct ListLengths
 {
   unsigned int Longest = 0;
-  unsigned int Percentile99 = 0; ///< at most so many on 99 in a hundred of them
+  unsigned int Percentile99 = 0; ///< 99 in a hundred of the texels hold no more samples
   unsigned int Texels = 0;
   unsigned int Samples = 0;
 };
+
+struct Layer;
 
 struct GridInput
 {
@@ -42,21 +45,23 @@ struct GridInput
   const LightFrame& Frame;
   int Layer;
   double SceneSize;
-  int SamplesAPixel; ///< where the view samples themselves don't know several
+  int SamplesAPixel; ///< points of a pixel to test, where the view samples have one sample a pixel
 };
 
 /// How many points of each pixel are tested, and their places from its centre, in pixels, as the
 /// view samples have them or else as rasterizers do.
 std::vector<glm::vec2> PointsOfPixel(const ViewSampler& samples, int points);
-/// Gives them to a program.
+/// Gives the points to a program.
 void SetPoints(const Program& program, const std::vector<glm::vec2>& points);
-/// GLSL that finds the view sample of one of them.
+/// GLSL that finds the view sample of a point; `many` where view samples have several samples a
+/// pixel.
 const char* PointCode(bool many);
 
 class SampleGrid
 {
 public:
-  static constexpr unsigned int NodeBinding = 3;  // as in rtwSampleGrid.glsl
+  // The binding of the nodes in rtwSampleGridAccess.glsl.
+  static constexpr unsigned int NodeBinding = 3;
   static constexpr unsigned int StateBinding = 2; // where a pixel's state is known
   static constexpr int MostSamplesAPixel = 8;
   static constexpr int FinestTopLevel = 12; // 4096 texels a side
@@ -67,16 +72,17 @@ public:
   std::string GetLog() const;
   /// Lists the samples that face the light.
   void Fill(const GridInput& input);
-  /// Finds the bounds of what is not in shadow by now.
+  /// Finds the bounds of the samples that are not in shadow by now.
   void Bound();
-  /// Gives a program of ours the squares.
+  /// Gives a program of ours the grid's squares.
   void Bind(const Program& program) const;
   void BindList(unsigned int listed, unsigned int owners) const;
   void BindStates() const { this->States.BindStorage(StateBinding); }
   int GetTopLevel() const { return this->TopLevel; }
-  /// Of the grid that was filled last. Waits for the GPU.
+  /// The lengths of the lists of the grid that was filled last. Waits for the GPU.
   ListLengths ReadLengths() const;
-  /// The number of samples on each texel, row by row, of a grid of so many texels a side. Likewise.
+  /// The number of samples on each texel, row by row, of the grid that was filled last, with so
+  /// many texels a side. Waits for the GPU.
   std::vector<unsigned int> ReadCounts(int resolution) const;
   std::size_t GetMemory() const;
   void Dispose(Disposal dispose);
@@ -96,9 +102,9 @@ private:
   std::string Warp;
   TableAccess Access = TableAccess::Storage;
   bool Many = false;
-  int Side = 1; ///< texels
+  int Side = 1; ///< texels a side
   int TopLevel = 0;
-  int NumberOfSamples = 0; ///< of all pixels
+  int NumberOfSamples = 0; ///< samples of all pixels
   std::vector<glm::vec2> Points;
   Program Counting, Summing, Listing, Bounding;
   Buffer Found, Places, States, Nodes, Listed, Owners;

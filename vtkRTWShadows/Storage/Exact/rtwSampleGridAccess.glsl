@@ -4,8 +4,8 @@ struct GridNode
 {
   vec2 low; // bounds of its samples on the light plane
   vec2 high;
-  float deepest; // of them that aren't in shadow yet; NO_DEPTH where there is none
-  uint first;    // in the list
+  float deepest; // depth of its deepest sample that isn't in shadow yet; NO_DEPTH where there is none
+  uint first;    // place of its first sample in the list
   uint count;
   uint unused;
 };
@@ -14,12 +14,13 @@ layout(std430, binding = 3) buffer GridNodes
 {
   GridNode rtwNodes[];
 };
-uniform int rtwGridSide; // texels that the map is divided into
-uniform int rtwTopLevel; // of the pyramid, whose texels are 2^rtwTopLevel a side, not less
+uniform int rtwGridSide; // texels a side that the map is divided into
+// Level of the pyramid's only square, of 2^rtwTopLevel texels a side, which is rtwGridSide at least.
+uniform int rtwTopLevel;
 
 const float NO_DEPTH = -1e30;
 
-// Where the squares of a level begin: 0 are the texels.
+// Where the squares of a level begin; level 0 are the texels.
 uint rtwLevelStart(int level)
 {
   return ((4u << uint(2 * rtwTopLevel)) - (4u << uint(2 * (rtwTopLevel - level)))) / 3u;
@@ -38,7 +39,7 @@ uint rtwMorton(uvec2 at)
   return rtwSpreadBits(at.x) | rtwSpreadBits(at.y) << 1;
 }
 
-// On the map.
+// The texel that holds a point in map coordinates.
 uint rtwTexelAt(vec2 onMap)
 {
   float side = float(rtwGridSide);

@@ -1,7 +1,7 @@
 // Where each texel's samples lie in the list: counts are added up from texels to the whole grid, then each square's place is divided
 // among its four.
 layout(local_size_x = 64) in;
-uniform int rtwLevel; // that is written
+uniform int rtwLevel; // the level that is written
 uniform int rtwDown;
 
 void main()

@@ -1,8 +1,9 @@
 // How far a non-orthogonal warp strays from a plane.
 //
 // A pyramid over the functions of each axis holds, for squares of 1, 2, 4 … cells, a plane near the function and how far that is from it
-// at most. A triangle on the light plane then takes, on the map, what the plane makes of it, and no more around that. Across, a cell
-// reaches from one line's middle to the next, and there is one before the first.
+// at most. A triangle on the light plane then covers, on the map, the image of the triangle under the plane, widened by
+// that distance at most. Across the lines, a cell reaches from the middle of one line to that of the next, and there is
+// one before the first line.
 layout(binding = 6) uniform samplerBuffer rtwBendTable; // a layer, an axis, a level, a line, a cell: as NearPlane
 uniform int rtwBendLevels;
 const int MOST_LEVELS = 16;
@@ -27,14 +28,15 @@ int rtwLevelPlace(int layer, int axis, int level)
   return (2 * layer + axis) * rtwLevelPlaces[rtwBendLevels] + rtwLevelPlaces[level];
 }
 
-// By how much a plane differs at most from another in a box around the other's middle, which lies `from` away from its own.
+// The greatest difference between a plane and another one in a box around the other's middle, which lies `from` away
+// from its own.
 float rtwDifference(NearPlane plane, vec2 from, NearPlane other, vec2 extent)
 {
   return abs(plane.middle + dot(plane.slope, from) - other.middle) + 0.5 * dot(abs(plane.slope - other.slope), extent);
 }
 
-// Of the functions of one axis in a box of those two coordinates, not larger than from 0 to 1; its middle is the box's. Up to four squares
-// hold it.
+// The plane near the functions of one axis in a box of those two coordinates, which must not be larger than from 0 to
+// 1. The plane's middle is the box's. Up to four squares of the pyramid hold the box.
 NearPlane rtwPlaneIn(int layer, int axis, vec2 low, vec2 high)
 {
   vec2 cellsLow = low * float(rtwWarpSize.x) + vec2(0.0, 0.5);
@@ -79,7 +81,7 @@ NearPlane rtwPlaneIn(int layer, int axis, vec2 low, vec2 high)
   return near;
 }
 
-// Both axes in a box of the focus: map ≈ middle + slope (q - centre), within `stray`.
+// The plane near the warp, of both axes, in a box of the focus: map ≈ middle + slope (q - centre), within `stray`.
 struct NearMap
 {
   vec2 centre;
@@ -88,12 +90,13 @@ struct NearMap
   vec2 stray;
 };
 
-// Rounding of what is about 1.
+// Rounding error of coordinates of about 1.
 const float NEAR_ROUNDING = 5e-7;
-// Of the focus: as far beside a triangle a texel's centre still belongs to it, in rtwBentCasterFS.glsl.
+// How far beside a triangle, as a share of the focus, a texel's centre still belongs to it: ROUNDING of
+// rtwBentCasterFS.glsl.
 const float TRIANGLE_ROUNDING = 3e-7;
 
-// Of the part of the box in the focus: the warp takes the rest beside the map.
+// The plane near the warp in the part of the box that is in the focus: the warp puts the rest beside the map.
 NearMap rtwNearMap(int layer, vec2 low, vec2 high)
 {
   low = clamp(low, 0.0, 1.0);
@@ -107,13 +110,13 @@ NearMap rtwNearMap(int layer, vec2 low, vec2 high)
   float reach = 0.5 * dot(abs(rows.slope), high - low) + rows.stray;
   vec2 s = clamp(rows.middle + vec2(-reach, reach), 0.0, 1.0);
   NearPlane columns = rtwPlaneIn(layer, 1, vec2(low.y, s.x), vec2(high.y, s.y));
-  // By the chain rule.
+  // The slope follows from both axes' by the chain rule.
   mat2 slope = mat2(rows.slope.x, columns.slope.y * rows.slope.x, rows.slope.y, columns.slope.x + columns.slope.y * rows.slope.y);
   vec2 middle = vec2(rows.middle, columns.middle + columns.slope.y * (rows.middle - 0.5 * (s.x + s.y)));
   return NearMap(centre, middle, slope, vec2(rows.stray, columns.stray + abs(columns.slope.y) * rows.stray) + NEAR_ROUNDING);
 }
 
-// What a box on the light plane takes on the map: low, high.
+// The bounds on the map of a box on the light plane: low, high.
 vec4 rtwBoundsOnMap(int layer, vec2 low, vec2 high)
 {
   NearMap near = rtwNearMap(layer, low, high);
@@ -122,7 +125,7 @@ vec4 rtwBoundsOnMap(int layer, vec2 low, vec2 high)
   return clamp(vec4(near.middle - reach, near.middle + reach), 0.0, 1.0);
 }
 
-// What a triangle in such a box takes: less, where it lies askew.
+// The bounds on the map of a triangle in such a box: narrower than the box's, where the triangle lies askew.
 #define RTW_TRIANGLES_ON_MAP
 vec4 rtwTriangleOnMap(int layer, vec2 low, vec2 high, vec2 corners[3])
 {
@@ -147,7 +150,8 @@ vec2 rtwBends(int layer, vec2 low, vec2 high)
   return layer < rtwGridLayers && rtwLeavesFocus(low, high) ? vec2(1.0) : 2.0 * stray;
 }
 
-// The same as lengths on the light plane: how far the point that a plane puts somewhere on the map is from the one that belongs there.
+// The bends of rtwBends() as lengths on the light plane: how far the point that a plane puts somewhere on the map is
+// from the one that belongs there.
 vec2 rtwShifts(int layer, vec2 low, vec2 high)
 {
   NearMap near = rtwNearMap(layer, low, high);
@@ -156,7 +160,7 @@ vec2 rtwShifts(int layer, vec2 low, vec2 high)
   return vec2(abs(m[1].y) * stray.x + abs(m[1].x) * stray.y, abs(m[0].y) * stray.x + abs(m[0].x) * stray.y);
 }
 
-// The most of any box no larger than `piece` between the two corners.
+// The greatest bends of any box no larger than `piece` between the two corners.
 vec2 rtwBendsOfPieces(int layer, vec2 low, vec2 high, vec2 piece)
 {
   return rtwBends(layer, low, high);
@@ -179,7 +183,7 @@ int rtwTileSide(int level)
   return (rtwWarpSize.y + (1 << level) - 1) >> level;
 }
 
-// Behind the pyramids of all layers.
+// The levels of the pyramid of tiles, which lies behind the pyramids of all layers.
 uniform int rtwTileLevels;
 uniform int rtwTilePlaces[MOST_LEVELS + 1];
 

@@ -38,14 +38,14 @@ vec4 rtwAskedFor(int quad)
   return rtwIsUnderRoot != 0 ? sqrt(asked) : asked;
 }
 
-// By how many cells it lies away.
+// The Gaussian's weights of cells that lie so many cells away.
 vec4 rtwWeights(vec4 away)
 {
   away /= max(rtwSigma, 1e-3);
   return exp(-0.5 * away * away);
 }
 
-// Of a Gaussian that ends at three times its σ, and at the ends of the line.
+// Four cells blurred by a Gaussian that ends at three times its σ, and at the ends of the line.
 vec4 rtwBlurred(int quad)
 {
   const vec4 OF_QUAD = vec4(0.0, 1.0, 2.0, 3.0);
@@ -69,7 +69,7 @@ vec4 rtwBlurred(int quad)
   return sum / max(weights, 1e-30);
 }
 
-// Of what the invocations have: all, and of those before this one.
+// The sum of `mine` over all invocations, and over those before this one.
 vec2 rtwTotalOf(float mine)
 {
   rtwPartial[me] = mine;

@@ -10,7 +10,7 @@ layout(std430, binding = 1) writeonly buffer Coarse
   float rtwCoarse[]; // a line, a cell
 };
 uniform ivec2 rtwWarpSize;
-uniform int rtwFirst; // of what was collected along the axis, in cells
+uniform int rtwFirst; // where the sums of the axis begin, in cells
 uniform int rtwLineLength;
 uniform float rtwUnit;
 

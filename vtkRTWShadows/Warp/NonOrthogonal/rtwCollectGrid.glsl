@@ -1,8 +1,8 @@
 // What view samples ask for along one axis, in each cell of the grid: counted as they fall (Milet et al. 2015, steps 2 and 6), or, as demand,
 // by one over their footprint. A sample's square is spread over the cells that its pixels would fall to.
 const float MOST_PARTS = 8.0;
-uniform int rtwFirst;      // of what is collected along the axis, in cells
-uniform int rtwLineLength; // likewise
+uniform int rtwFirst;      // where the sums of the axis begin, in cells
+uniform int rtwLineLength; // cells from the beginning of a line to that of the next
 uniform int rtwAxis; // along t samples lie where the functions along s put them
 
 ivec2 rtwCellAndLine(vec2 q)

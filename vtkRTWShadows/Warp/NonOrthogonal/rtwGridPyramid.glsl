@@ -19,7 +19,7 @@ NearPlane rtwPlaneOfCell(int axis, ivec2 at)
   vec2 across = after - before;
   vec2 slope = 0.5 * vec2(along.x + along.y, across.x + across.y);
   float middle = 0.25 * (before.x + before.y + after.x + after.y);
-  // Behind the last cell its plane goes on.
+  // The plane of the last cell goes on behind it.
   return NearPlane(middle + slope.x * float(at.x - cell), cells * slope, 0.25 * abs(along.y - along.x));
 }
 
@@ -46,7 +46,7 @@ NearPlane rtwPlaneOfFour(int axis, ivec2 at)
     from[k] = (vec2(next) - 0.5) * extent;
     near.slope += 0.25 * planes[k].slope;
   }
-  // Where there are two side by side, from one's middle to the other's.
+  // Where two planes lie side by side, the slope goes from the middle of one to that of the other.
   near.slope.x = alone.x ? near.slope.x : 0.5 * (planes[1].middle - planes[0].middle + planes[3].middle - planes[2].middle) / extent;
   near.slope.y = alone.y ? near.slope.y : 0.5 * (planes[2].middle - planes[0].middle + planes[3].middle - planes[1].middle) / extent;
   for (int k = 0; k < 4; ++k)

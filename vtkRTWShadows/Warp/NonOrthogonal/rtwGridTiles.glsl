@@ -49,7 +49,7 @@ Tile rtwTileOfFour(ivec2 at)
     tile.alongX += 0.25 * (parts[k].alongX + (k % 2 == 0 ? -1.0 : 1.0) * parts[k].middle);
     tile.alongY += 0.25 * (parts[k].alongY + (k / 2 == 0 ? -1.0 : 1.0) * parts[k].middle);
   }
-  // In texels: from a part's middle to its last centre, and from the tile's middle to a part's.
+  // Distances in texels: from a part's middle to its last texel centre, and from the tile's middle to a part's.
   float part = 0.5 * float((1 << (rtwLevel - 1)) - 1);
   float apart = 0.5 * float(1 << (rtwLevel - 1));
   vec2 share = vec2(alone.x ? 1.0 : part / (part + apart), alone.y ? 1.0 : part / (part + apart));

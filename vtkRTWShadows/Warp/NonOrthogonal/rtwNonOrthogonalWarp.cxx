@@ -11,7 +11,7 @@ namespace rtw
 {
 namespace
 {
-constexpr int Passes = 3; // of smoothing
+constexpr int Passes = 3; // windows that lines are averaged in, one after another
 
 // The mean over a window of that radius, whose outermost lines count in part; none lie beyond the
 // ends.

@@ -12,7 +12,7 @@
 
 namespace rtw
 {
-/// By what the strength of smoothing is chosen, on a grid of so many cells a side.
+/// Constants of the choice of smoothing, and the coarse grid that it is made on.
 struct SmoothingChoice
 {
   static constexpr int Cells = 64;
@@ -21,11 +21,11 @@ struct SmoothingChoice
   /// How far a texel's side is sheared, as a share of its length, where a function rises as fast
   /// across, from line to line, as along on average.
   static constexpr double Shear = 0.5;
-  /// By how much more error there is where what is drawn straight strays by a texel.
+  /// Additional error, as a share, where an edge that is drawn straight strays by a texel.
   static constexpr double StrayCost = 1;
   static constexpr double Range = 0.003; ///< of cost, in which candidates count together
-  /// Of a function's second derivative across, from how long what is drawn straight is and how many
-  /// texels there are.
+  /// The cost per second derivative of a function across lines, given the length of edges that are
+  /// drawn straight and the number of texels a side.
   static double BendCost(double straight, int resolution)
   {
     return StrayCost * straight * straight / 8 * resolution;
@@ -38,13 +38,13 @@ struct SmoothingChoice
 class WarpingGrid
 {
 public:
-  /// From what each line's cells ask for, line by line: averaged over neighbouring lines with a
-  /// Gaussian of so many lines, or nearly that (Milet et al. 2015, step 5); the root is taken where
-  /// it is demand; then each line by WarpingFunction::FromImportance().
+  /// The grid for what each line's cells ask for, line by line: averaged over neighbouring lines
+  /// with a Gaussian of so many lines, or nearly that (Milet et al. 2015, step 5); the root is
+  /// taken where it is demand; then each line by WarpingFunction::FromImportance().
   static WarpingGrid FromImportance(
     std::vector<std::vector<double>> lines, double across, bool root, double sigma, double floor);
-  /// How many lines FromImportance() had better average over, of all: so that least error is
-  /// predicted.
+  /// The share of all lines that FromImportance() had better average over: the one that the least
+  /// error is predicted for.
   static double ChooseSmoothing(
     const std::vector<std::vector<double>>& lines, bool root, double floor, double bendCost);
   static WarpingGrid FromFunctions(std::vector<WarpingFunction> lines);

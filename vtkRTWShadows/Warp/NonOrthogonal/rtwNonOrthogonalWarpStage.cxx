@@ -45,7 +45,7 @@ namespace rtw
 namespace
 {
 constexpr int CountUnit = 1024;
-constexpr int Passes = 3; // of smoothing
+constexpr int Passes = 3; // windows that lines are averaged in, one after another
 constexpr int Unit = 9;   // of the texture that a program reads besides the table
 
 // Four cells at a time are read.
@@ -186,7 +186,7 @@ int NonOrthogonalWarpStage::FirstOf(int layer, int axis) const
   return (2 * layer + axis) * this->Cells * this->LineLength;
 }
 
-// Of the windows that lines are averaged in.
+// Chooses the radius of the windows that lines are averaged in.
 void NonOrthogonalWarpStage::ChooseRadius(
   int layer, int axis, const LayerTable& table, double straight)
 {

@@ -13,14 +13,17 @@
 
 namespace rtw
 {
+struct Layer;
+
 struct NonOrthogonalSettings
 {
-  bool Demand = true;      ///< its square root; else samples are counted
+  /// Whether cells weigh the square root of demand; else samples are counted.
+  bool Demand = true;
   int Cells = 512;         ///< along both axes
   bool Automatic = true;   ///< whether smoothing is chosen by what it costs
   double Smoothing =
     0.05; ///< otherwise, of what neighbouring lines ask for: σ, as a share of the focus
-  double Sigma = 2;        ///< of the blur along a line, in cells
+  double Sigma = 2;        ///< standard deviation of the blur along a line, in cells
   double Floor = 0.01;     ///< least importance, as a share of a line's mean
 };
 
@@ -43,7 +46,7 @@ private:
   Program& Collecting(bool demand) { return demand ? this->CollectingDemand : this->Counting; }
   void Collect(const LightFrame& frame, int layer, int axis, const AnalysisInput& input,
     const LayerTable& table);
-  float Unit() const; ///< of what is collected
+  float Unit() const; ///< the value of a collected integer of 1
   bool BuildChoosing();
   int FirstOf(int layer, int axis) const; ///< cell that is collected
   void ChooseRadius(int layer, int axis, const LayerTable& table, double straight);
@@ -54,7 +57,7 @@ private:
   void BuildTiles(int layer, const LayerTable& table);
 
   std::function<NonOrthogonalSettings()> Settings;
-  NonOrthogonalSettings Used; ///< by the frame at work
+  NonOrthogonalSettings Used; ///< the settings of the frame at work
   Program Counting, CollectingDemand, SmoothingFirst, Smoothing, Coarsening, Costing, Choosing,
     Building, Inverting, Levelling, Tiling;
   TexelBuffer Collected; ///< a layer, an axis, a line, a cell: low and high part of a sum
@@ -65,7 +68,8 @@ private:
   Buffer Report;        ///< a layer, an axis: the greatest slope
   int Layers = 0;
   int Cells = 0;
-  int LineLength = 0; ///< of what is collected and smoothed
+  /// Cells from the beginning of a collected or smoothed line to that of the next.
+  int LineLength = 0;
 };
 }
 

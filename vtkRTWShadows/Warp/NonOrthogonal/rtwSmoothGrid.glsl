@@ -17,7 +17,7 @@ uniform samplerBuffer rtwSmoothed;
 #endif
 uniform ivec2 rtwWarpSize;
 uniform int rtwPass;
-uniform int rtwFirst; // of what was collected along the axis, in cells
+uniform int rtwFirst; // where the sums of the axis begin, in cells
 uniform float rtwUnit;
 
 int cells = rtwWarpSize.x;

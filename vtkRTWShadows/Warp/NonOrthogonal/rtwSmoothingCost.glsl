@@ -1,5 +1,6 @@
-// What a strength of smoothing costs, a work group each: the error that is predicted for functions which a coarse grid has then, times more
-// where neighbouring functions differ. That shears texels, which makes them longer, and what is drawn straight strays from where it belongs.
+// The cost of each strength of smoothing, by a work group each: the error that is predicted for functions which a
+// coarse grid has then, times more where neighbouring functions differ. That shears texels, which makes them longer,
+// and what is drawn straight strays from where it belongs.
 layout(local_size_x = COARSE_CELLS) in;
 
 uniform samplerBuffer rtwCoarse; // a line, four cells: what is asked for
@@ -22,7 +23,7 @@ float rtwFunction(int l, int border)
 
 const int COARSE_QUADS = COARSE_CELLS / 4;
 
-// Four cells.
+// What a line asks for in four cells after smoothing.
 vec4 rtwSmoothed(int quad)
 {
   float sigma = rtwSmoothingOf(int(gl_WorkGroupID.x)) * float(COARSE_CELLS);
@@ -65,13 +66,13 @@ void rtwMakeFunction()
   rtwFunctions[line * (COARSE_CELLS + 1) + COARSE_CELLS] = 1.0;
 }
 
-// The line before, this one and the next, at a border.
+// The functions of the line before, of this one and of the next, at a border between cells.
 vec3 rtwLinesAt(int border)
 {
   return vec3(rtwFunction(line - 1, border), rtwFunction(line, border), rtwFunction(line + 1, border));
 }
 
-// And what is asked for there.
+// The cost of a cell, by what it asks for and the three functions at its two borders.
 vec2 rtwCostOfCell(float asked, vec3 low, vec3 high)
 {
   vec3 at = 0.5 * (low + high); // the cell's middle

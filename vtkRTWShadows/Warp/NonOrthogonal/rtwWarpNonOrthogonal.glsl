@@ -5,7 +5,7 @@
 // The grid of a layer: of both axes, line by line, the function at each cell's two borders; then the focus coordinates of each texel's
 // centre.
 uniform samplerBuffer rtwWarpGrid;
-uniform int rtwGridLayers; // those behind them have no warp
+uniform int rtwGridLayers; // layers that have a grid; those behind them have no warp
 
 int rtwGridPlace(int layer, int axis, int line, int cell)
 {
@@ -18,7 +18,7 @@ int rtwCentrePlace(int layer, ivec2 texel)
   return rtwGridPlace(layer, 2, 0, 0) + texel.y * rtwWarpSize.y + texel.x;
 }
 
-// The line before, and how far it is to the next.
+// The line whose middle lies before `across`, and the share of the way from there to the next line's.
 float rtwLineBefore(float across)
 {
   float last = float(rtwWarpSize.x);

@@ -24,7 +24,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * What each cell counts.
+   * What the view samples in a cell of the grid add up to, which the map's texels are given out by.
    */
   enum SampleWeights
   {
@@ -34,7 +34,8 @@ public:
 
   ///@{
   /**
-   * One of SampleWeights; any other value is refused with an error. Default: SQRT_DEMAND.
+   * What cells of the grid count: one of SampleWeights; any other value is refused with an error.
+   * Default: SQRT_DEMAND.
    */
   virtual void SetWeights(int weights);
   vtkGetMacro(Weights, int);
@@ -44,7 +45,8 @@ public:
 
   ///@{
   /**
-   * Cells a side of the grid, whatever the map's resolution. Clamped to 64 to 2048. Default: 512.
+   * Cells a side of the grid, whatever the map's resolution. Clamped to 64 to 2048.
+   * Default: 512.
    */
   vtkSetClampMacro(ImportanceResolution, int, 64, 2048);
   vtkGetMacro(ImportanceResolution, int);

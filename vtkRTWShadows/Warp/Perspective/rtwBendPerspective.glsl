@@ -1,14 +1,16 @@
-// A perspective warp bends no edge, but a point half way along one isn't half way on the map. And it turns over what reaches behind its
-// centre of projection, before which half of n' is left out: it is beside the map.
+// A perspective warp bends no edge, but a point half way along one isn't half way on the map. It turns over what
+// reaches behind its centre of projection: what is nearer to that than half of n' is left out, which loses nothing, as
+// it lies beside the map.
 const float LEAST_DISTANCE = 0.5; // in units of n'
 
-// What has a positive product of (q · w, w) with that is in front.
+// The half plane in front of the centre of projection: points whose product of (q · w, w) with it is positive.
 vec3 rtwFront(int layer)
 {
   return vec3(0.0, rtwPerspective(layer).z, 1.0 - LEAST_DISTANCE);
 }
 
-// What the part of a box on the light plane that is in front takes on the map: low, high. Nothing is (2, 2, -1, -1).
+// The bounds on the map of the part of a box on the light plane that is in front of the centre of projection: low,
+// high; (2, 2, -1, -1) where there is no such part.
 vec4 rtwBoundsOnMap(int layer, vec2 low, vec2 high)
 {
   float k = rtwPerspective(layer).z;
@@ -35,7 +37,8 @@ vec2 rtwBends(int layer, vec2 low, vec2 high)
   return vec2(rtwReachesBehind(layer, low.y) ? 1e30 : 0.0);
 }
 
-// By which share of its length a point on a line moves along it, if z' changes by that ratio from one end to the other.
+// The share of its length that a point on a line moves along it at most, if z' changes by that ratio from one end to
+// the other.
 float rtwShareMoved(float ratio)
 {
   float root = sqrt(ratio);
@@ -49,7 +52,7 @@ vec2 rtwShifts(int layer, vec2 low, vec2 high)
   return nearest < LEAST_DISTANCE ? vec2(1e30) : rtwShareMoved(1.0 + k * (high.y - low.y) / nearest) * (high - low);
 }
 
-// How far that is on the map, at most, in any box no larger than `piece` between the two corners.
+// How far a point moves along its line on the map, at most, in any box no larger than `piece` between the two corners.
 vec2 rtwBendsOfPieces(int layer, vec2 low, vec2 high, vec2 piece)
 {
   vec4 p = rtwPerspective(layer);

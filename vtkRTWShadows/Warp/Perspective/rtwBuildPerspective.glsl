@@ -3,7 +3,7 @@
 layout(local_size_x = 1) in;
 layout(std430, binding = 0) readonly buffer Bounds
 {
-  uint rtwBounds[]; // as rtwFocusReduction.glsl has them, on the map
+  uint rtwBounds[]; // as in rtwFocusBounds.glsl, but in map coordinates
 };
 layout(std430, binding = 1) readonly buffer Nearest
 {
@@ -19,16 +19,16 @@ layout(std430, binding = 3) writeonly buffer Report
 };
 uniform int rtwLayer;
 uniform int rtwPass;
-uniform int rtwChoice;  // of n': by 0 η, 1 itself, 2 what lies at the focus line
-uniform float rtwValue; // of that
+uniform int rtwChoice;  // how n' is given: 0 by η, 1 by itself, 2 by the point that lies on the focus line
+uniform float rtwValue; // η, n' or the focus point
 uniform vec3 rtwView;   // sine between view and light; world units a unit of the light plane there, 0 for no warp; s of the eye
-uniform vec4 rtwAlso;   // on the light plane, what the map has to hold besides samples: low, high
-uniform vec2 rtwMargin; // of the map along s and t, for filters
+uniform vec4 rtwAlso;   // bounds on the light plane of what the map has to hold besides samples: low, high
+uniform vec2 rtwMargin; // for filters, as a share of the map along s and t
 const float FOCUS_LINE = 0.8;    // of the map, up to where the focus point lies (Lloyd et al. 2006, section 4.1)
 const float STRONGEST = 1e4;     // (f' - n') / n'
 const float ROUNDING = 1e-4;     // of the map's side
 
-// One over n' for a light overhead, from that of PSM, 1 / n, down to 0: no warp.
+// 1 / n' for a light overhead: from 1 / n, which is PSM, down to 0, which is no warp.
 float rtwInverseOfNear(float n, float f)
 {
   float root = sqrt(f / n);
@@ -52,8 +52,8 @@ float rtwInverseOfNear(float n, float f)
   return clamp(inverse, 0.0, 1.0 / n);
 }
 
-// n' grows with one over the sine (Wimmer et al. 2004), as which what is far along the light plane is far from the viewer: where view and
-// light are parallel, there is no warp.
+// The strength (f' - n') / n'. n' grows with one over the sine between view and light (Wimmer et al. 2004), as does the
+// distance from the viewer to a point on the light plane: where view and light are parallel, there is no warp.
 float rtwStrength(float extent)
 {
   float away = rtwNearestOf[rtwLayer];
@@ -100,7 +100,7 @@ void rtwWriteEnds()
   bool any = low != 0xffffffffu;
   vec2 ends = any ? vec2(rtwUnordered(low), rtwUnordered(high)) : vec2(1e30, -1e30);
   bool also = rtwAlso.x <= rtwAlso.z;
-  // Of no samples nothing is known.
+  // A layer without samples has no bounds that are known.
   vec4 box = any || also ? clamp((rtwAlso - vec4(s.x, t.x, s.x, t.x)) * vec4(s.y, t.y, s.y, t.y), 0.0, 1.0) : vec4(0.0, 0.0, 1.0, 1.0);
   for (int corner = 0; corner < 4 && (also || !any); ++corner)
   {

@@ -9,11 +9,11 @@ namespace rtw
 {
 namespace
 {
-// As in rtwBuildPerspective.glsl.
+// FOCUS_LINE of rtwBuildPerspective.glsl.
 constexpr double FocusLine = 0.8;
 constexpr double Strongest = 1e4;
 
-// Equation 11, so that infinity is not needed.
+// 1 / n' by Lloyd et al. 2006, equation 11, so that an infinite n' is a number here.
 double InverseOfEta(double eta, double n, double f)
 {
   const double root = std::sqrt(f / n);

@@ -11,7 +11,7 @@
 
 namespace rtw
 {
-/// What tells n'.
+/// How n' is given.
 struct PerspectiveChoice
 {
   enum Kinds
@@ -21,16 +21,16 @@ struct PerspectiveChoice
     FocusPoint ///< its distance from the near end, as a share of what is seen along the view, is on
                ///< the focus line: trapezoidal shadow maps
   };
-  int Kind = Eta; ///< as rtwBuildPerspective.glsl numbers them
+  int Kind = Eta; ///< one of Kinds, numbered as rtwChoice of rtwBuildPerspective.glsl
   double Value = 0;
 };
 
 /// n' of η from -1 (infinite: no warp) over 0 (LiSPSM: n + √(f n)) to 1 (PSM: n); Equation 11.
 double NearOfEta(double eta, double n, double f);
-/// The other way round; appendix B.
+/// η of n', the inverse of NearOfEta() (appendix B).
 double EtaOfNear(double nearDistance, double n, double f);
-/// So that the focus point, a share of f - n behind n, is on the line that 80 % of the map lie
-/// before; infinite where an unwarped map has it there already, and no less than n.
+/// The n' that puts the focus point, which lies a share of f - n behind n, on the line before which
+/// 80 % of the map lie: at least n, and infinite where an unwarped map has it there already.
 double NearOfFocusPoint(double share, double n, double f);
 /// 1 / n' for a light overhead, from 0 (no warp) to 1 / n.
 double InverseOfNear(const PerspectiveChoice& choice, double n, double f);
@@ -38,14 +38,14 @@ double InverseOfNear(const PerspectiveChoice& choice, double n, double f);
 /// How a light sees the view.
 struct ViewOnLight
 {
-  double Sine = 0; ///< of the angle between them
+  double Sine = 0; ///< sine of the angle between view and light
   double Unit = 0; ///< world units that one of the light plane is at the eye; 0 where it shows no
                    ///< perspective
   double EyeS = 0; ///< s of the line on the light plane that all lines along the view meet on
 };
 
-/// With t along the view. Nothing is shown of a parallel view, which has no perspective, nor of an
-/// eye behind a spot.
+/// The view as a light sees it, with t along the view. Unit is 0 for a parallel view, which has no
+/// perspective, and for an eye behind a spot.
 ViewOnLight LookAtView(
   const LightFrame& frame, const glm::dvec3& eye, const glm::dvec3& forward, bool parallel);
 
@@ -55,9 +55,10 @@ struct PerspectiveWarp
   Rectangle Focus;
   double Strength = 0;     ///< (f' - n') / n'; 0 for no warp
   double EyeS = 0.5;       ///< on the focus
-  glm::dvec2 Ends{ 0, 1 }; ///< of the map along s, on the focus, where t is 0
+  glm::dvec2 Ends{ 0, 1 }; ///< ends of the map along s, in focus coordinates, where t is 0
 
-  /// Of light-plane coordinates. Behind the centre of projection it is not a number.
+  /// Map coordinates of a point in light-plane coordinates; not a number behind the centre of
+  /// projection.
   glm::dvec2 Forward(const glm::dvec2& onLight) const;
   glm::dvec2 Inverse(const glm::dvec2& onMap) const;
 };

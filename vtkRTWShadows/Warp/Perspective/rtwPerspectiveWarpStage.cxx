@@ -33,7 +33,7 @@ namespace rtw
 namespace
 {
 constexpr int LeastStride = 2;        // bounds look at each pixel that might lie beyond them
-constexpr double UnseenMargin = 0.05; // of the map, for what the last frame has not seen
+constexpr double UnseenMargin = 0.05; // a share of the map, for what the last frame has not seen
 
 glm::vec4 ToVector(const Rectangle& r)
 {
@@ -123,7 +123,7 @@ void PerspectiveWarpStage::FindNearest(
   input.Blocks.Dispatch(this->Looking, input.Samples, input.Stride, layer);
 }
 
-// On the map as it is with ends 0 and 1.
+// Finds the bounds of the samples on a map whose ends along s are 0 and 1.
 void PerspectiveWarpStage::FindBounds(
   const LightFrame& frame, const AnalysisInput& input, const LayerTable& table)
 {

@@ -21,7 +21,7 @@
 
 namespace rtw
 {
-/// How texels are split between s and t.
+/// How texels are divided between s and t.
 struct SplitSettings
 {
   enum Kinds
@@ -31,7 +31,7 @@ struct SplitSettings
     LeastError
   };
   int Kind = Given;
-  double Ratio = 1; ///< that is given
+  double Ratio = 1; ///< texels along s over those along t, for ByRatio
 };
 
 class PerspectiveWarpStage : public WarpStage
@@ -63,7 +63,7 @@ private:
   std::function<PerspectiveChoice()> Choice;
   std::function<SplitSettings()> Split;
   SteadyRatio Ratio;
-  View Viewed; ///< of the frame at work
+  View Viewed; ///< the view of the frame at work
   bool Focused = true;
   bool Current = true; ///< whether samples are of that frame
   Program Looking, Building;

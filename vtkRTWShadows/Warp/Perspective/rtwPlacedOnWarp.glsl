@@ -1,4 +1,5 @@
-// Bounds are reduced on the map: of what a box on the light plane has in the focus, which holds all samples.
+// Bounds are reduced in map coordinates: those of the part of a box on the light plane that is in the focus, which
+// holds all samples.
 
 vec4 rtwPlaced(vec4 box)
 {

@@ -15,9 +15,11 @@ namespace
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double Extreme = 16;      // a ratio beyond which maps would be but lines
 constexpr int Shortest = 8;         // side, in texels, unless the square's is shorter
-constexpr double Hold = 0.75;       // of a step, half of which would do without hysteresis
+// Share of a step that a ratio has to change by; half a step would do without hysteresis.
+constexpr double Hold = 0.75;
 constexpr double ClearlyBetter = 0.98;
-constexpr double Unseen = 50;       // pixels by which edges that lie any way are misplaced besides
+// Pixels by which edges are misplaced besides, whatever the ratio.
+constexpr double Unseen = 50;
 constexpr std::int64_t Lasting = 8; // frames that a viewer is remembered for
 
 double DepthOf(const View& viewed, const glm::dvec3& p)
@@ -25,7 +27,7 @@ double DepthOf(const View& viewed, const glm::dvec3& p)
   return glm::dot(p - viewed.Eye, viewed.Forward);
 }
 
-// Of a view that reaches from one depth to another.
+// The inverse of the projection of a view that reaches from one depth to another.
 glm::dmat4 ClipToWorldBetween(const View& seen, double from, double to)
 {
   const View viewed = AtEye(seen);
@@ -37,7 +39,8 @@ glm::dmat4 ClipToWorldBetween(const View& seen, double from, double to)
   return viewed.ViewToWorld * glm::inverse(toClip);
 }
 
-// What the light reaches of a convex part: of a spot, whose rim may cut it, points on that too.
+// The corners of a convex part that the light reaches, and, since a spot's rim may cut it, points
+// on that rim.
 std::vector<glm::dvec3> InReach(const LightFrame& frame, const std::vector<glm::dvec3>& corners)
 {
   if (frame.Light.Kind == LightKind::Directional)
@@ -196,7 +199,8 @@ int LeastErrorStep(const std::vector<std::vector<float>>& errors, const std::opt
   std::vector<double> sums;
   for (int step = -SplitSteps; step <= SplitSteps; ++step)
   {
-    // What a texel of a split is longer and wider beside that of a square, in the mean.
+    // How much longer and wider a texel of a map with that ratio is than one of the square map, in
+    // the mean.
     const double longer = std::exp2(0.5 * step / SteadyRatio::StepsAnOctave);
     double sum = Unseen * 0.5 * (longer + 1 / longer);
     for (const std::vector<float>& each : errors)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How the texels of a perspective warp's maps are split between s and t (Lloyd et al. 2006, section
-// 4.2): by what the view's frustum shows of the scene, on the CPU, so that it is known before
-// anything is drawn.
+// How the texels of a perspective warp's maps are divided between s and t (Lloyd et al. 2006,
+// section 4.2): by what the view's frustum shows of the scene, on the CPU, so that it is known
+// before anything is drawn.
 #ifndef rtwResolutionSplit_h
 #define rtwResolutionSplit_h
 
@@ -29,9 +29,9 @@ glm::ivec2 SplitTexels(int side, double ratio, int most);
 /// What the maps of a frame are for.
 struct SplitScene
 {
-  const std::vector<LightFrame>& Frames; ///< one a layer
+  const std::vector<LightFrame>& Frames; ///< one frame for each layer
   const View& Viewed;
-  glm::dvec3 Low{ 0 }, High{ 0 }; ///< of the scene
+  glm::dvec3 Low{ 0 }, High{ 0 }; ///< bounds of the scene in world coordinates
   const void* Viewer = nullptr;   ///< who looks, only compared with others
   bool Focused = true;            ///< whether maps go by the view
 };
@@ -50,9 +50,9 @@ double CriticalRatio(const PerspectiveChoice& choice, const SplitScene& scene);
 /// many, either way.
 constexpr int SplitSteps = 10;
 
-/// Of those, from the lowest ratio on, by how many pixels all edges together are misplaced for each
-/// viewer: the exponent that is best in all, or the one in force, if any is, where none is clearly
-/// better. Next to no edges say nothing: then it is about 0.
+/// The exponent of the ratio with the least error, or the one in force, if any is, where none is
+/// clearly better. Each viewer gives, for each ratio from the lowest on, by how many pixels all
+/// edges together are misplaced; where there are next to no edges, the exponent is about 0.
 int LeastErrorStep(
   const std::vector<std::vector<float>>& errors, const std::optional<int>& inForce);
 
@@ -62,7 +62,8 @@ class SteadyRatio
 {
 public:
   static constexpr int StepsAnOctave = 4;
-  /// Of several viewers that take turns it is the geometric mean.
+  /// The ratio for a viewer who wants that one; if several viewers draw alternately, the geometric
+  /// mean of what they want.
   double Choose(const void* viewer, double wanted);
   void Forget();
 

@@ -8,7 +8,8 @@ vec4 rtwPerspective(int layer)
   return vec4(rtwWarpEntry(4 * layer, 0), rtwWarpEntry(4 * layer + 1, 0));
 }
 
-// Before the division, which is by the paper's z' in units of n'. Behind the centre of projection that is negative.
+// Homogeneous map coordinates; the third is the paper's z' in units of n', which is negative behind the centre of
+// projection.
 vec3 rtwWarpHomogeneous(int layer, vec2 q)
 {
   vec4 p = rtwPerspective(layer);
@@ -22,7 +23,8 @@ vec2 rtwWarp(int layer, vec2 q)
   return u.xy / u.z;
 }
 
-// Of a column of the map, its s where t is 0; of a row, t and z'. In terms that are all positive, so that nothing cancels out.
+// The s of a column of the map where t is 0, and the t and z' of a row, computed from terms that are all positive, so
+// that nothing cancels out.
 float rtwColumnOf(vec4 p, int texel)
 {
   return mix(p.x, p.y, (float(texel) + 0.5) / float(rtwMapSize.x));

@@ -33,7 +33,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * What n' is (Lloyd et al. 2006, section 4.1).
+   * What n' is, given the near and far ends n and f of what is seen (Lloyd et al. 2006,
+   * section 4.1).
    */
   enum Parameterizations
   {
@@ -41,7 +42,7 @@ public:
     LISPSM = 1,          ///< n + √(f n): light-space perspective shadow maps, η = 0
     TSM = 2,             ///< what puts the focus point at 80 % of the map: trapezoidal shadow maps
     UNWARPED = 3,        ///< infinite, η = -1
-    BY_ETA = 4,          ///< that of Eta
+    BY_ETA = 4,          ///< the one that belongs to Eta (equation 11)
     BY_NEAR_DISTANCE = 5 ///< NearDistance
   };
 
@@ -84,7 +85,7 @@ public:
 
   ///@{
   /**
-   * Of TSM: where the focus point lies between the near and far ends of what is seen, along the
+   * Where the focus point of TSM lies between the near and far ends of what is seen, along the
    * view. The part before it takes 80 % of the map; from 0.8 on there is no warp. Above 0, up to 1;
    * anything else is refused with an error. Default: 0.1.
    */
@@ -93,14 +94,14 @@ public:
   ///@}
 
   /**
-   * How a map's texels are split between s and t, of which the latter goes along the view.
+   * How a map's texels are divided between s and t, of which the latter goes along the view.
    */
   enum ResolutionSplits
   {
     SPLIT_SQUARE = 0,    ///< as many along both
     SPLIT_CRITICAL = 1,  ///< in the ratio of the critical resolution: Equations 13 and 14
     SPLIT_AUTOMATIC = 2, ///< in the ratio that the least error is predicted for
-    SPLIT_BY_RATIO = 3   ///< that of ResolutionRatio
+    SPLIT_BY_RATIO = 3   ///< in the ratio ResolutionRatio
   };
 
   ///@{

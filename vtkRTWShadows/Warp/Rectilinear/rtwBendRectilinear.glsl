@@ -18,8 +18,8 @@ vec3 rtwSlopes(int layer, int axis, float low, float high)
   return vec3(min(a.x, b.x), max(a.yz, b.yz));
 }
 
-// Over an interval of that length, from the slopes around it. Each cell border bends by a step at most; the borders in the interval are
-// few, or as good as evenly spread.
+// How far a function strays over an interval of length h, from the slopes around it. Each cell border bends by a step
+// at most; the borders in the interval are few, or as good as evenly spread.
 float rtwBendOver(vec3 slopes, float h)
 {
   float cells = h * float(rtwWarpSize.x);
@@ -27,7 +27,7 @@ float rtwBendOver(vec3 slopes, float h)
   return min(0.25 * (slopes.y - slopes.x) * h, slopes.z * steps);
 }
 
-// What a box on the light plane takes on the map: low, high.
+// The bounds on the map of a box on the light plane: low, high.
 vec4 rtwBoundsOnMap(int layer, vec2 low, vec2 high)
 {
   return vec4(rtwWarp(layer, low), rtwWarp(layer, high));
@@ -45,14 +45,15 @@ float rtwShift(vec3 slopes, float h)
   return rtwBendOver(slopes, h) / max(slopes.x, 1e-30);
 }
 
-// The same as lengths on the light plane: how far the point that a chord puts somewhere on the map is from the one that belongs there.
+// The bends of rtwBends() as lengths on the light plane: how far the point that a chord puts somewhere on the map is
+// from the one that belongs there.
 vec2 rtwShifts(int layer, vec2 low, vec2 high)
 {
   return vec2(rtwShift(rtwSlopes(layer, 0, low.x, high.x), high.x - low.x),
     rtwShift(rtwSlopes(layer, 1, low.y, high.y), high.y - low.y));
 }
 
-// The most of any box no larger than `piece` between the two corners.
+// The greatest bends of any box no larger than `piece` between the two corners.
 vec2 rtwBendsOfPieces(int layer, vec2 low, vec2 high, vec2 piece)
 {
   return vec2(rtwBendOver(rtwSlopes(layer, 0, low.x, high.x), piece.x),

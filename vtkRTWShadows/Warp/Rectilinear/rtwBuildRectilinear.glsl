@@ -22,13 +22,13 @@ layout(std430, binding = 4) writeonly buffer Profiles
 {
   float rtwImportance[]; // a layer, an axis, a cell: as collected, and as used
 };
-const int LARGEST = 0; // what the profile holds, as in rtwImportanceStage.h
+const int LARGEST = 0; // values of rtwCollected: what the profile holds, as enum Collected of rtwImportanceStage.h
 const int SUM = 1;
 const int SUM_UNDER_ROOT = 2;
-const float EDGE_FLOOR = 0.02; // of the plain demand, beside that at shadow edges
+const float EDGE_FLOOR = 0.02; // share of the plain demand that is added to the demand at shadow edges
 uniform int rtwCollected;
-uniform float rtwUnit; // of sums
-uniform int rtwProfiles; // 2: plain, and at shadow edges
+uniform float rtwUnit; // the value of an integer sum of 1
+uniform int rtwProfiles; // 1, or 2 where there is one at shadow edges behind the plain one
 uniform int rtwLevels;
 uniform int rtwCulling;   // whether cells that are not in use are left out
 uniform int rtwRemembers; // whether the last frame counts
@@ -127,7 +127,7 @@ void writeSlopes(int cells)
   }
 }
 
-// What the files do that follow.
+// Defined in rtwFollowWarp.glsl and rtwCullCells.glsl, which follow.
 void blendWithLast(int cells);
 void cull(int cells);
 void snapToLast(int cells);

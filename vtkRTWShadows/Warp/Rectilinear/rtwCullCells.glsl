@@ -3,7 +3,7 @@
 uniform float rtwReach; // of the filter, a share of the map's side
 shared uint rtwUsedBits[GRID_WORDS];
 
-// Of columns where the function is along s, of rows where it is along t.
+// Finds the columns in use where the function is along s, and the rows where it is along t.
 void findUsed()
 {
   if (me < GRID_WORDS)

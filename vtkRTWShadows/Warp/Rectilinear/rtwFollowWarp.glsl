@@ -1,7 +1,7 @@
 // How a warping function follows the last frame's.
 uniform int rtwSnapping;
 uniform float rtwBlending;   // the share of the last frame's function
-uniform float rtwMostExcess; // of error, that a function may have and stay
+uniform float rtwMostExcess; // share of error above the least that a function may have and stay
 
 void remember(int cells, int function)
 {
@@ -22,7 +22,7 @@ float rtwLastWanted(int place, int cells, float x)
   return low + (f - float(cell)) * (rtwFunctions[place + cell + 1] - low);
 }
 
-// A convex combination of strictly monotone functions is one.
+// Blends with the last frame's function: a convex combination of strictly monotone functions is strictly monotone.
 void blendWithLast(int cells)
 {
   if (rtwIsKnown(layer) && rtwBlending > 0.0)
@@ -44,8 +44,9 @@ void blendWithLast(int cells)
   remember(cells, WANTED);
 }
 
-// Of the last function that was in use, where this one would be best: a shadow's edge in a cell that wants p texels and gets k is off by
-// p · p / k (the error is the sum of demand over density, and the density of p is the root of demand).
+// The error of the last function that was in use, if this one were best: a shadow's edge in a cell that wants p texels
+// and gets k is off by p · p / k (the error is the sum of demand over density, and the density of p is the root of
+// demand).
 float rtwLastError(int cells)
 {
   int place = rtwFunctionPlace(layer, axis, USED);
@@ -54,7 +55,7 @@ float rtwLastError(int cells)
   {
     float p = rtwSums[i + 1] - rtwSums[i];
     float k = rtwFunctions[place + i + 1] - rtwFunctions[place + i];
-    // What was culled must not be wanted.
+    // A cell that the last function culled and this one wants makes the error infinite.
     error += k < 2.0 * rtwLeast && p >= 2.0 * rtwLeast ? 1e30 : p * p / k;
   }
   return totalOf(error);

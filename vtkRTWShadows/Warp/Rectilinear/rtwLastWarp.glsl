@@ -19,7 +19,7 @@ bool rtwIsKnown(int layer)
   return rtwFunctions[rtwHistoryPlace(layer, 0) + 3] != 0.0;
 }
 
-// Its low end in this frame's coordinates, and one over its extent.
+// The low end of the last frame's focus in this frame's light-plane coordinates, and one over its extent.
 vec2 rtwLastFocus(int layer, int axis)
 {
   int place = rtwHistoryPlace(layer, axis);

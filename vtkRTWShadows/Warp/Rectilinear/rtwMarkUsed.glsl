@@ -5,7 +5,7 @@ uniform float rtwFilterWidth; // in world units
 uniform vec4 rtwUnsampled;    // bounds on the light plane of receivers that aren't among the samples; empty if low exceeds high
 shared uint rtwMarked[GRID * GRID_WORDS];
 
-// Rounding may put a receiver elsewhere by that share of the focus.
+// The share of the focus by which rounding may displace a receiver.
 const float ROUNDING = 1e-5;
 
 void rtwMark(vec2 low, vec2 high)

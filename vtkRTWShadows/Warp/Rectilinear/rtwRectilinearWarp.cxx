@@ -52,7 +52,7 @@ WarpingFunction WarpingFunction::FromImportance(std::vector<double> importance, 
   return FromWidths(importance).Culled(used, sigma, reach);
 }
 
-// Summed up and normalized.
+// The function whose cells take shares of the map in proportion to these widths.
 WarpingFunction WarpingFunction::FromWidths(const std::vector<double>& widths)
 {
   WarpingFunction function;

@@ -17,45 +17,45 @@ constexpr double LeastShare = 1.0 / (1 << 20);
 /// How many texels around a receiver the narrowest filter may look at.
 constexpr double NeighbourReach = 2;
 
-/// A snapped focus is so much larger than it has to be, on either side,
+/// How much larger a snapped focus is than it has to be, on either side, as a share of its extent.
 constexpr double SnappingMargin = 0.03125;
-/// where it is outgrown it becomes so much larger than it has to be,
+/// How much larger a snapped focus becomes than it has to be where it is outgrown.
 constexpr double SnappingGrowth = 0.125;
-/// and it stays until less than this share of it is needed.
+/// The share of a snapped focus that has to be needed for it to stay.
 constexpr double SnappingLeastShare = 0.25;
 /// A snapped function stays while its error is above the least by so much at most.
 constexpr double SnappingMostExcess = 0.1;
 
-/// How many frames that want the same it takes until a function that keeps so much of the last
-/// frame's is within a quarter of a texel of what they want.
+/// Number of frames until a function that keeps the share `blending` of the last frame's is within
+/// a quarter of a texel of the one wanted, if that stays the same.
 int FramesToSettle(double blending, int resolution);
 
 /// A strictly monotone map of [0, 1] to itself, linear in each of its equal cells, and beyond the ends with the slope there.
 class WarpingFunction
 {
 public:
-  /// From the importance of each cell: blurred by a Gaussian of so many cells, kept above a share
-  /// of the mean, summed up and normalized (Rosen 2012, section 4.2, equation 1). No or no finite
-  /// importance gives the identity. With `used` cells are culled as by Culled().
+  /// The function for the importance of each cell: blurred by a Gaussian of so many cells, kept
+  /// above a share of the mean, summed up and normalized (Rosen 2012, section 4.2, equation 1). No
+  /// or no finite importance gives the identity. With `used` cells are culled as by Culled().
   static WarpingFunction FromImportance(std::vector<double> importance, double sigma, double floor,
     const std::vector<bool>& used = {}, double reach = 0);
-  /// From its values at the borders of the cells, which rise from 0 to 1.
+  /// The function with those values at the borders of its cells, which rise from 0 to 1.
   static WarpingFunction FromValues(std::vector<double> values);
 
   /// This function, but cells that are not in use get no more than LeastShare: `used` tells it of
   /// each of so many equal parts; none is all. Kept are cells as near to one in use as the blur
   /// reaches, or as that share of the map.
   WarpingFunction Culled(const std::vector<bool>& used, double sigma, double reach) const;
-  /// A convex combination with the last frame's, which has that share of it; 0 and 1 of this one
-  /// lie at `from` and `to` of that one.
+  /// A convex combination with the last frame's function, which has the share given; 0 and 1 of
+  /// this function's domain lie at `from` and `to` of the last one's.
   WarpingFunction BlendedWith(
     const WarpingFunction& last, double from, double to, double share) const;
   /// How much greater the error of this function is than that of another, where that one is the
   /// best (its density is the root of demand): a shadow's edge where it wants p texels and gets k
   /// is off by p²/k.
   double ExcessOver(const WarpingFunction& best) const;
-  /// What is used of this function while the last frame's is `last`: that one as long as it is good
-  /// enough.
+  /// The function to use where this one is wanted and the last frame's was `last`: `last` as long
+  /// as it is good enough.
   WarpingFunction SnappedTo(const WarpingFunction& last) const;
 
   int GetCells() const { return static_cast<int>(this->Values.size()) - 1; }
@@ -64,7 +64,8 @@ public:
   double Inverse(double y) const;
   double Slope(int cell) const;
   double GreatestSlope() const;
-  /// No point between low and high is mapped farther from the chord between the two than that.
+  /// The greatest distance from the chord between low and high at which any point between them is
+  /// mapped.
   double Bend(double low, double high) const;
 
 private:

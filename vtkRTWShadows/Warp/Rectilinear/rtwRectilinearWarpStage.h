@@ -19,9 +19,9 @@ struct RectilinearSettings
   ImportanceSettings Importance;
   int LightImageSize = 512;
   int Cells = 512;
-  double Sigma = 3;    ///< of the blur, in cells
+  double Sigma = 3;    ///< standard deviation of the blur, in cells
   double Floor = 0.01; ///< least importance, as a share of the mean
-  double Blending = 0; ///< share of the last frame's function
+  double Blending = 0; ///< share of the last frame's function that is kept
   bool Snapping = false;
   bool CullsCells = false;
 
@@ -53,7 +53,7 @@ private:
   ImportanceStage Importance;
   Program Building, FocusSnapping;
   Buffer Report, Profiles;
-  int Cells = 0; ///< of the profiles
+  int Cells = 0; ///< cells of each profile
   int Layers = 0;
   WarpHistory History;
   UsedCells InUse;

@@ -10,7 +10,7 @@ shared float rtwPartial[GROUP];
 
 int me = int(gl_LocalInvocationIndex);
 
-// Of what the invocations have, in each of them.
+// The sum of `mine` over all invocations, in each of them.
 float totalOf(float mine)
 {
   rtwPartial[me] = mine;

@@ -6,9 +6,9 @@ layout(std430, binding = 2) buffer Table
   vec2 rtwTable[];
 };
 uniform int rtwOtherLayers;  // how far behind a layer the one is that shares its focus
-uniform float rtwMargin;     // of a new focus, on either side, of what is needed
-uniform float rtwGrowth;     // of an outgrown focus, beyond what is needed
-uniform float rtwLeastShare; // that has to be needed of a focus which stays
+uniform float rtwMargin;     // room of a new focus on either side, as a share of what is needed
+uniform float rtwGrowth;     // room of an outgrown focus, as a share of what is needed
+uniform float rtwLeastShare; // share that has to be needed of a focus which stays
 const float ROUNDING = 1e-5;
 
 void main()

@@ -20,7 +20,8 @@ bool FindShift(const LightFrame& from, const LightFrame& to, glm::dvec2& shift)
   {
     return false;
   }
-  // The eye is the origin: of points across a directional light, of directions in a spot.
+  // Light-plane coordinates have their origin at the eye: they are positions across a directional
+  // light, and directions in a spot.
   for (int axis = 0; axis < 2; ++axis)
   {
     shift[axis] = isSpot ? to.ConeCentre[axis] - from.ConeCentre[axis]

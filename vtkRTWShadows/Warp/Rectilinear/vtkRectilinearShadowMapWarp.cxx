@@ -106,7 +106,8 @@ void vtkRectilinearShadowMapWarp::SetUserFunction(const char* glsl)
   }
 }
 
-// Each pass that this warp serves compiles it by itself.
+// Each pass that this warp serves compiles the user's function by itself: the error is reported
+// once.
 void vtkRectilinearShadowMapWarp::Refuse(const std::string& log)
 {
   if (this->IsRefused)

@@ -41,21 +41,21 @@ public:
   };
 
   /**
-   * What is looked at (section 4.1).
+   * What the importance is found from (section 4.1).
    */
   enum Analyses
   {
     FORWARD = 0,  ///< a depth image from the light, looked back into the view
     BACKWARD = 1, ///< what the camera sees, projected onto the light plane
-    HYBRID = 2    ///< that, and for shadow edges a depth image from the light
+    HYBRID = 2    ///< what the camera sees, and for shadow edges a depth image from the light
   };
 
   /**
-   * Of what the CENTRE_OF_INTEREST is one.
+   * What the CENTRE_OF_INTEREST is the centre of.
    */
   enum Interests
   {
-    VIEW = 0,  ///< the middle of the picture
+    VIEW = 0,  ///< the picture
     SPHERE = 1 ///< a sphere in the scene
   };
 
@@ -300,7 +300,8 @@ private:
   void Choose(int& member, int value, int most, const char* name, const char* expected);
   void Refuse(const std::string& log);
 
-  bool IsRefused = false; ///< the user's function, and that has been said
+  /// Whether the user's function failed to compile and that has been reported.
+  bool IsRefused = false;
 };
 
 #endif
