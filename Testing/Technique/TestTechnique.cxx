@@ -8,7 +8,6 @@
 #include "vtkFovealShadowMapWarp.h"
 
 #include "vtkImageData.h"
-#include "vtkShadowRenderStepsPass.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,40 +16,9 @@
 
 namespace
 {
-class FovealStage : public rtwShadowStage
-{
-public:
-  explicit FovealStage(rtwChain chain = rtwChain::Steps)
-  {
-    this->Pass = vtkSmartPointer<vtkFovealShadowMapPass>::New();
-    if (chain == rtwChain::Classic)
-    {
-      this->Renderer->SetPass(rtwMakeClassicChain(this->Pass));
-      return;
-    }
-    vtkNew<vtkShadowRenderStepsPass> steps;
-    steps->SetShadowMapPass(this->Pass);
-    this->Renderer->SetPass(steps);
-  }
-};
-
-void TestLights(rtwChain chain)
-{
-  FovealStage stage(chain);
-  stage.Name = std::string("lights ") + rtwNameOf(chain);
-  rtwCheckLights(stage);
-}
-
-void TestGlyphs()
-{
-  FovealStage stage;
-  stage.Name = "glyphs";
-  rtwCheckGlyphs(stage);
-}
-
 void TestRasterization()
 {
-  FovealStage stage;
+  rtwShadowStage stage(vtkSmartPointer<vtkFovealShadowMapPass>::New());
   stage.AddObjects();
   vtkLight* sun = stage.AddSun(3, 5, 2);
   for (const int way : { vtkAdaptiveShadowMapPass::AUTOMATIC, vtkAdaptiveShadowMapPass::EXACT,
@@ -66,7 +34,7 @@ void TestRasterization()
 
 void TestSettings()
 {
-  FovealStage stage;
+  rtwShadowStage stage(vtkSmartPointer<vtkFovealShadowMapPass>::New());
   stage.AddObjects();
   vtkLight* sun = stage.AddSun(3, 5, 2);
   for (const unsigned int resolution : { 512u, 1000u, 2048u })
@@ -127,7 +95,8 @@ double ShareOfSame(vtkImageData* map, vtkImageData* even, bool warped)
 void TestMap()
 {
   rtwShadowStage uniform(rtwTechnique::Uniform);
-  FovealStage foveal, straight;
+  rtwShadowStage foveal(vtkSmartPointer<vtkFovealShadowMapPass>::New()),
+    straight(vtkSmartPointer<vtkFovealShadowMapPass>::New());
   straight.Pass->SetRasterizationToLinear();
   const vtkSmartPointer<vtkImageData> even = DrawMap(uniform), warped = DrawMap(foveal),
                                       linear = DrawMap(straight);
@@ -166,9 +135,7 @@ int TestTechnique()
 {
   TestFunction();
   TestMap();
-  TestLights(rtwChain::Steps);
-  TestLights(rtwChain::Classic);
-  TestGlyphs();
+  rtwCheckTechnique({ "foveal", vtkSmartPointer<vtkFovealShadowMapPass>::New, {} });
   TestRasterization();
   TestSettings();
   TestCascades();
