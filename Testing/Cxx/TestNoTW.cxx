@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Non-orthogonal texture warping beside exact rays: lights of both kinds and several of them, what
-// only VTK's mappers draw, floors of two triangles, the ways of rasterizing, and its settings.
+// Non-orthogonal texture warping beside exact rays: floors of two triangles, the ways of
+// rasterizing, and its settings.
 #include "rtwDeepStage.h"
-#include "rtwEachTechnique.h"
 #include "Warp/NonOrthogonal/rtwNonOrthogonalWarp.h"
 
 #include "vtkImageData.h"
@@ -21,20 +20,6 @@ namespace
 vtkNonOrthogonalShadowMapWarp* WarpOf(rtwShadowStage& stage)
 {
   return vtkNoTWShadowMapPass::SafeDownCast(stage.Pass)->GetNonOrthogonalWarp();
-}
-
-void TestLights(rtwChain chain)
-{
-  rtwShadowStage stage(rtwTechnique::NoTW, chain);
-  stage.Name = std::string("lights ") + rtwNameOf(chain);
-  rtwCheckLights(stage);
-}
-
-void TestGlyphs()
-{
-  rtwShadowStage stage(rtwTechnique::NoTW);
-  stage.Name = "glyphs";
-  rtwCheckGlyphs(stage);
 }
 
 struct Deep : rtwDeepStage
@@ -302,31 +287,15 @@ void TestBadInput()
   RTW_CHECK(stage.Pass->GetWarpImage(1) == nullptr);
   RTW_CHECK_EQUAL(messages.GetNumberOfErrors(), 2);
 }
-
-// An empty scene, then one that has something.
-void TestEmpty()
-{
-  rtwShadowStage stage(rtwTechnique::NoTW);
-  stage.Name = "empty";
-  vtkLight* sun = stage.AddSun(3, 5, 2);
-  stage.Render();
-  stage.AddObjects();
-  stage.Render();
-  RTW_CHECK_SHADOWS(stage, sun, 0);
-}
 }
 
 int TestNoTW(int, char*[])
 {
-  TestLights(rtwChain::Steps);
-  TestLights(rtwChain::Classic);
-  TestGlyphs();
   TestRasterization();
   TestMaps();
   TestImportance();
   TestAutomaticSmoothing();
   TestSettings();
   TestBadInput();
-  TestEmpty();
   return rtwTestResult();
 }

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Perspective warps beside exact rays: lights of both kinds and several of them, what only VTK's
-// mappers draw, triangles that reach behind the viewer, each parameterization beside its twin in
-// double precision, lights that pass through the line of sight, and bad input.
+// Perspective warps beside exact rays: triangles that reach behind the viewer, each
+// parameterization beside its twin in double precision, lights that pass through the line of sight,
+// and bad input.
 #include "rtwDeepStage.h"
-#include "rtwEachTechnique.h"
 
 #include "rtwMapTexels.h"
 #include "Warp/Perspective/rtwPerspectiveWarp.h"
@@ -31,20 +30,6 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 vtkPerspectiveShadowMapPass* PassOf(rtwShadowStage& stage)
 {
   return vtkPerspectiveShadowMapPass::SafeDownCast(stage.Pass);
-}
-
-void TestLights(rtwChain chain)
-{
-  rtwShadowStage stage(rtwTechnique::Perspective, chain);
-  stage.Name = std::string("lights ") + rtwNameOf(chain);
-  rtwCheckLights(stage);
-}
-
-void TestGlyphs()
-{
-  rtwShadowStage stage(rtwTechnique::Perspective);
-  stage.Name = "glyphs";
-  rtwCheckGlyphs(stage);
 }
 
 struct Deep : rtwDeepStage
@@ -346,9 +331,6 @@ void TestChanges()
 
 int TestPerspective(int, char*[])
 {
-  TestLights(rtwChain::Steps);
-  TestLights(rtwChain::Classic);
-  TestGlyphs();
   TestRasterization();
   TestParameterizations();
   TestSweep(false);

@@ -110,29 +110,23 @@ std::vector<vtkLight*> LightsOf(vtkRenderer* renderer)
 
 vtkSmartPointer<vtkAdaptiveShadowMapPass> rtwMakePass(rtwTechnique technique)
 {
-  if (technique == rtwTechnique::RTW)
+  switch (technique)
   {
-    return vtkSmartPointer<vtkRTWShadowMapPass>::New();
+    case rtwTechnique::RTW:
+      return vtkSmartPointer<vtkRTWShadowMapPass>::New();
+    case rtwTechnique::NoTW:
+      return vtkSmartPointer<vtkNoTWShadowMapPass>::New();
+    case rtwTechnique::Perspective:
+      return vtkSmartPointer<vtkPerspectiveShadowMapPass>::New();
+    case rtwTechnique::Exact:
+      return vtkSmartPointer<vtkExactShadowMapPass>::New();
+    case rtwTechnique::Cascades:
+      return vtkSmartPointer<vtkCascadedShadowMapPass>::New();
+    default:
+      auto pass = vtkSmartPointer<vtkUniformShadowMapPass>::New();
+      pass->SetFocusOnView(technique == rtwTechnique::Uniform);
+      return pass;
   }
-  if (technique == rtwTechnique::NoTW)
-  {
-    return vtkSmartPointer<vtkNoTWShadowMapPass>::New();
-  }
-  if (technique == rtwTechnique::Perspective)
-  {
-    return vtkSmartPointer<vtkPerspectiveShadowMapPass>::New();
-  }
-  if (technique == rtwTechnique::Exact)
-  {
-    return vtkSmartPointer<vtkExactShadowMapPass>::New();
-  }
-  if (technique == rtwTechnique::Cascades)
-  {
-    return vtkSmartPointer<vtkCascadedShadowMapPass>::New();
-  }
-  auto pass = vtkSmartPointer<vtkUniformShadowMapPass>::New();
-  pass->SetFocusOnView(technique == rtwTechnique::Uniform);
-  return pass;
 }
 
 vtkSmartPointer<vtkRenderPass> rtwMakeClassicChain(vtkAdaptiveShadowMapPass* shadows)
@@ -148,7 +142,12 @@ vtkSmartPointer<vtkRenderPass> rtwMakeClassicChain(vtkAdaptiveShadowMapPass* sha
 }
 
 rtwShadowStage::rtwShadowStage(rtwTechnique technique, rtwChain chain)
-  : Pass(rtwMakePass(technique))
+  : rtwShadowStage(rtwMakePass(technique), chain)
+{
+}
+
+rtwShadowStage::rtwShadowStage(vtkAdaptiveShadowMapPass* pass, rtwChain chain)
+  : Pass(pass)
 {
   if (chain == rtwChain::Classic)
   {

@@ -66,6 +66,7 @@ class rtwShadowStage
 public:
   explicit rtwShadowStage(
     rtwTechnique technique = rtwTechnique::RTW, rtwChain chain = rtwChain::Steps);
+  explicit rtwShadowStage(vtkAdaptiveShadowMapPass* pass, rtwChain chain = rtwChain::Steps);
   ~rtwShadowStage();
   rtwShadowStage(const rtwShadowStage&) = delete;
   void operator=(const rtwShadowStage&) = delete;

@@ -95,8 +95,9 @@ class Stage:
 
 class Seen:
     """pixels: that show the prop. darkened: the share of them that is dark in the sun. casts: pixels of its
-    shadow, on the rest of the picture. receives: the share of its pixels that the roof darkens. holes: pixels of it that show the background. changed: the
-    largest difference, of 255, that our passes make where shadows take no light away."""
+    shadow, on the rest of the picture. receives: the share of its pixels that the roof darkens. holes: pixels of
+    it that show the background. changed: the largest difference, of 255, that our passes make where shadows take
+    no light away."""
 
     def __init__(self, stage, plain, picture, below, unshadowed):
         its = (abs(plain - stage.bare_shadowless) > 30).any(-1)

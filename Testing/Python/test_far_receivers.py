@@ -13,7 +13,8 @@ class TestFarReceivers(unittest.TestCase):
 
     def test_translucent(self):
         """Receivers that look maps up themselves. A warp doesn't look at them, and leaves them few texels."""
-        check(self, Scene(opacity=0.99), ("near", "1e5", "telephoto", "perspective"), ("uniform", "rtw", "exact"), bound=0.004)
+        check(self, Scene(opacity=0.99), ("near", "1e5", "telephoto", "perspective"),
+              ("uniform", "rtw", "exact"), bound=0.004)
 
     def test_samples(self):
         """Several samples a pixel: edges are grey there, and nothing else is wrong."""

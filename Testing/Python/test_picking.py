@@ -98,7 +98,8 @@ class Picks(Stage):
             block = keys.Get(vtkSelectionNode.COMPOSITE_INDEX())
             ids = sorted(vtk_to_numpy(node.GetSelectionList()).tolist())
             pixels = keys.Get(vtkSelectionNode.PIXEL_COUNT())
-            # Only blocks have a number, and VTK draws them in any order: which of two points at a place is seen is chance.
+            # Only blocks have a number, and VTK draws them in any order: which of two points at a place is seen is
+            # chance.
             found.append((prop, block, None, ids) if prop == BLOCKS else (prop, None, pixels, ids))
         return sorted(found, key=str)
 

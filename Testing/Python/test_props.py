@@ -193,7 +193,8 @@ NEITHER = {
 }
 # Some of their pixels show the floor behind, and its shadow.
 SEE_THROUGH = {
-    "vtkActor2D", "vtkBillboardTextActor3D", "vtkCaptionActor2D", "vtkLegendScaleActor", "vtkPropAssembly with annotations",
+    "vtkActor2D", "vtkBillboardTextActor3D", "vtkCaptionActor2D", "vtkLegendScaleActor",
+    "vtkPropAssembly with annotations",
     "vtkSphereRepresentation", "vtkTextActor3D"}
 
 

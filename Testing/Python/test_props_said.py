@@ -8,8 +8,6 @@ from prop_stage import make, vtk
 from test_props import NEITHER, actor_of, ball, billboard, box, graph, image, points_at
 
 
-
-
 def volume():
     data = make("vtkImageData", Dimensions=(3, 3, 3))
     data.AllocateScalars(vtk.VTK_UNSIGNED_CHAR, 1)

@@ -21,8 +21,10 @@ const char* LayerTable::DefinitionOf(TableAccess access)
   }
 }
 
-void LayerTable::Allocate(int cells, int resolution, int layers, int gridLayers)
+void LayerTable::Allocate(int cells, int resolution, int layers, int warpedLayers, bool hasGrid)
 {
+  const int gridLayers = hasGrid ? warpedLayers : 0;
+  this->WarpedLayers = warpedLayers;
   this->GridLayers = gridLayers;
   this->Cells = cells;
   this->Resolution = resolution;
@@ -149,7 +151,7 @@ void LayerTable::Bind(const Program& program) const
   this->Bends.Bind(BendUnit);
   program.Set("rtwWarpTable", Unit);
   program.Set("rtwWarpGrid", GridUnit);
-  program.Set("rtwGridLayers", this->GridLayers);
+  program.Set("rtwWarpedLayers", this->WarpedLayers);
   if (this->GridLayers > 0)
   {
     this->Grid.Bind(GridUnit);

@@ -37,10 +37,10 @@ public:
   /// The definition that has to stand before rtwWarpFocus.glsl.
   static const char* DefinitionOf(TableAccess access);
 
-  /// Makes room for layers, of which the first `gridLayers` have a grid, since their warp isn't
-  /// separable; then no other is warped.
-  /// Maps are square, of so many texels a side, until they have another size.
-  void Allocate(int cells, int resolution, int layers, int gridLayers);
+  /// Makes room for layers, of which the first `warpedLayers` are warped and no other is. They have a
+  /// grid where their warp isn't separable. Maps are square, of so many texels a side, until they have
+  /// another size.
+  void Allocate(int cells, int resolution, int layers, int warpedLayers, bool hasGrid);
   /// Texels along s and t of maps that aren't square, of a warp that can do with that.
   void SetMapSize(const glm::ivec2& size) { this->MapSize = size; }
   /// Sets a layer's focus from the CPU.
@@ -60,6 +60,7 @@ public:
   const TexelBuffer& GetBends() const { return this->Bends; }
   /// The grids of all layers, in the order of rtwWarpNonOrthogonal.glsl.
   const TexelBuffer& GetGrid() const { return this->Grid; }
+  int GetWarpedLayers() const { return this->WarpedLayers; }
   int GetGridLayers() const { return this->GridLayers; }
   /// Elements in a row of the table.
   int GetRowLength() const;
@@ -101,7 +102,8 @@ private:
   void WriteRow(int row, int first, const std::vector<float>& values);
 
   TexelBuffer Table, Bends, Grid;
-  int GridLayers = 0;
+  int WarpedLayers = 0;
+  int GridLayers = 0; ///< all that are warped, or none
   int Cells = 0;
   int Resolution = 0;
   glm::ivec2 MapSize{ 0 };

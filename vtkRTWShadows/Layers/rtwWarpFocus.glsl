@@ -22,6 +22,7 @@ layout(std430, binding = 7) readonly buffer WarpTable
 uniform samplerBuffer rtwWarpTable;
 #endif
 uniform ivec2 rtwWarpSize; // cells of a warping function, places of its inverse: texels of a side where the map is square
+uniform int rtwWarpedLayers; // layers from that number on have no warp
 uniform ivec2 rtwMapSize;  // texels of the map along s and t, which are as many unless the warp is perspective
 
 int rtwWarpPlace(int row, int i)

@@ -13,7 +13,7 @@ bool LightImages::Build()
 void LightImages::Start(int size, int lights, const LayerTable& focused)
 {
   this->Images.Allocate(glm::ivec2(size), lights);
-  this->Table.Allocate(1, size, lights, 0);
+  this->Table.Allocate(1, size, lights, 0, false);
   this->Table.CopyFocus(focused, lights);
 }
 

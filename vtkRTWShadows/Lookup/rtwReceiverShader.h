@@ -101,7 +101,8 @@ struct ReceiverUniforms
   int BitsUnit = 0, ManyUnit = 0;
   std::vector<glm::vec2> Points; ///< samples of a pixel, from its centre; none where one is enough
   float HiddenBeyond = 0;
-  int GridLayers = 0;
+  int WarpedLayers = 0;
+  int GridLayers = 0; ///< those of them that have a grid
   int Cells = 1, Resolution = 1;
   glm::ivec2 MapSize{ 1 };
   int OriginX = 0, OriginY = 0; ///< the view's corner in the target, in pixels

@@ -118,11 +118,11 @@ void ReceiverUniforms::Set(vtkShaderProgram* program) const
     program->SetUniformi("rtwWarpTable", this->WarpUnit);
     program->SetUniform2i("rtwWarpSize", size);
     program->SetUniform2i("rtwMapSize", &this->MapSize.x);
+    program->SetUniformi("rtwWarpedLayers", this->WarpedLayers);
   }
   if (program->IsUniformUsed("rtwWarpGrid"))
   {
     program->SetUniformi("rtwWarpGrid", this->GridUnit);
-    program->SetUniformi("rtwGridLayers", this->GridLayers);
   }
   const int n = this->Lights.Count;
   if (n > 0 && program->IsUniformUsed("rtwAttenuation"))

@@ -33,10 +33,10 @@ std::vector<int> SplitBins(const std::vector<DepthBin>& bins, int layers);
 
 /// A range of depths that holds that of a view's projection: the one that was held before, as long
 /// as it does and isn't much wider; 0 to 0 for none.
-glm::dvec2 SteadyRange(const View& view, const glm::dvec2& held);
+glm::dvec2 SteadyRange(const View& seen, const glm::dvec2& held);
 
 /// The corners, in world coordinates, of what a view shows between two depths.
-std::vector<glm::dvec3> SliceCorners(const View& view, double nearest, double farthest);
+std::vector<glm::dvec3> SliceCorners(const View& seen, double nearest, double farthest);
 
 /// A square on the light plane that holds what the view shows between two depths, and what a filter
 /// reaches from there, with so many texels a side which stay where they are in the world while the

@@ -155,7 +155,7 @@ int ShadowPipeline::CountOtherLayers(const FrameScene& scene, std::size_t layers
 {
   const bool others = std::any_of(
     scene.Props.begin(), scene.Props.end(), [](const SceneProp& prop) { return prop.Casts; });
-  const bool apart = this->OwnDrawing && (this->Warp->NeedsViewSamples() || this->Source);
+  const bool apart = this->OwnDrawing && (this->Warp->DrawsMappersApart() || this->Source);
   return others && apart ? static_cast<int>(layers) : 0;
 }
 

@@ -115,8 +115,8 @@ void ShadowPipeline::Draw(const FrameScene& scene, const std::vector<ShadowLight
   const int layers = this->CountLayers();
   this->OtherLayers = this->CountOtherLayers(scene, this->LayerFrames.size());
   this->Table.Allocate((this->OwnDrawing ? this->Warp : this->Fallback)->GetCells(),
-    options.Resolution, layers + this->OtherLayers,
-    this->GetShape().Kind == WarpKind::Grid ? layers : 0);
+    options.Resolution, layers + this->OtherLayers, layers,
+    this->GetShape().Kind == WarpKind::Grid);
   this->AllocateMaps(scene, options);
   if (this->OwnDrawing)
   {

@@ -15,6 +15,7 @@ ReceiverUniforms ShadowPipeline::MakeUniforms(const PipelineOptions& options) co
   uniforms.Cells = this->Table.GetCells();
   uniforms.Resolution = this->Table.GetResolution();
   uniforms.MapSize = this->Table.GetMapSize();
+  uniforms.WarpedLayers = this->Table.GetWarpedLayers();
   uniforms.GridLayers = this->Table.GetGridLayers();
   uniforms.OtherLayers = this->OtherLayers;
   this->PlaceReceivers(uniforms);

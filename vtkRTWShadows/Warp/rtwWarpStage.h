@@ -32,7 +32,9 @@ enum class WarpKind
 struct WarpShape
 {
   const char* Name;     ///< tells shader code for one warp from that for another
-  const char* Function; ///< defines rtwWarp, rtwWarpHomogeneous and rtwTexelCentres
+  /// defines rtwWarp, rtwWarpHomogeneous and rtwTexelCentres, which are no warp of a layer from
+  /// rtwWarpedLayers on
+  const char* Function;
   const char* Bend;     ///< defines rtwBoundsOnMap, rtwBends, rtwShifts and rtwBendsOfPieces
   const char* Slope;    ///< defines rtwWarpSlope
   WarpKind Kind = WarpKind::Separable;
@@ -56,6 +58,9 @@ class WarpStage : public ResourceOwner
 public:
   virtual WarpShape GetShape() const = 0;
   virtual bool NeedsViewSamples() const = 0;
+  /// Whether what only VTK's mappers can draw has a layer of its own, which isn't warped: they move
+  /// vertices alone, so that an edge that is bent on the map comes out straight.
+  virtual bool DrawsMappersApart() const { return true; }
   virtual int GetCells() const = 0; ///< cells of a warping function
   /// Whether t has to lie along the view on each light plane, however it would be turned else.
   virtual bool LiesAlongView() const { return false; }

@@ -12,6 +12,7 @@ class IdentityWarpStage : public WarpStage
 public:
   WarpShape GetShape() const override;
   bool NeedsViewSamples() const override { return false; }
+  bool DrawsMappersApart() const override { return false; }
   int GetCells() const override { return 1; }
   bool Build() override { return true; }
   std::string GetLog() const override { return {}; }

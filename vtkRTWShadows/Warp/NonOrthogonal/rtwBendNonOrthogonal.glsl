@@ -102,7 +102,7 @@ NearMap rtwNearMap(int layer, vec2 low, vec2 high)
   low = clamp(low, 0.0, 1.0);
   high = clamp(high, low, vec2(1.0));
   vec2 centre = 0.5 * (low + high);
-  if (layer >= rtwGridLayers)
+  if (layer >= rtwWarpedLayers)
   {
     return NearMap(centre, centre, mat2(1.0), vec2(0.0));
   }
@@ -147,7 +147,7 @@ bool rtwLeavesFocus(vec2 low, vec2 high)
 vec2 rtwBends(int layer, vec2 low, vec2 high)
 {
   vec2 stray = rtwNearMap(layer, low, high).stray; // wherever it is, so that rtwShifts() finds it found
-  return layer < rtwGridLayers && rtwLeavesFocus(low, high) ? vec2(1.0) : 2.0 * stray;
+  return layer < rtwWarpedLayers && rtwLeavesFocus(low, high) ? vec2(1.0) : 2.0 * stray;
 }
 
 // The bends of rtwBends() as lengths on the light plane: how far the point that a plane puts somewhere on the map is
@@ -190,12 +190,12 @@ uniform int rtwTilePlaces[MOST_LEVELS + 1];
 int rtwTilePlace(int layer, int level, ivec2 tile)
 {
   int before = layer * rtwTilePlaces[rtwTileLevels] + rtwTilePlaces[level - LEAST_TILE_LEVEL] + tile.y * rtwTileSide(level) + tile.x;
-  return rtwLevelPlace(rtwGridLayers, 0, 0) + 2 * before;
+  return rtwLevelPlace(rtwWarpedLayers, 0, 0) + 2 * before;
 }
 
 Tile rtwTile(int layer, int level, ivec2 tile)
 {
-  if (layer < rtwGridLayers)
+  if (layer < rtwWarpedLayers)
   {
     int place = rtwTilePlace(layer, level, tile);
     vec4 middle = texelFetch(rtwBendTable, place);

@@ -5,7 +5,6 @@
 // The grid of a layer: of both axes, line by line, the function at each cell's two borders; then the focus coordinates of each texel's
 // centre.
 uniform samplerBuffer rtwWarpGrid;
-uniform int rtwGridLayers; // layers that have a grid; those behind them have no warp
 
 int rtwGridPlace(int layer, int axis, int line, int cell)
 {
@@ -46,7 +45,7 @@ float rtwWarpAlong(int layer, int axis, float along, float across)
 
 vec2 rtwWarp(int layer, vec2 q)
 {
-  if (layer >= rtwGridLayers)
+  if (layer >= rtwWarpedLayers)
   {
     return q;
   }
@@ -61,8 +60,8 @@ vec3 rtwWarpHomogeneous(int layer, vec2 q)
 
 vec2 rtwTexelCentre(int layer, ivec2 texel)
 {
-  return layer < rtwGridLayers ? texelFetch(rtwWarpGrid, rtwCentrePlace(layer, texel)).xy
-                               : (vec2(texel) + 0.5) / float(rtwWarpSize.y);
+  return layer < rtwWarpedLayers ? texelFetch(rtwWarpGrid, rtwCentrePlace(layer, texel)).xy
+                                 : (vec2(texel) + 0.5) / float(rtwWarpSize.y);
 }
 
 TexelCentres rtwTexelCentres(int layer, ivec2 texel)
