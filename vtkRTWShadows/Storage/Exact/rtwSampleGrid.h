@@ -36,8 +36,6 @@ struct ListLengths
   unsigned int Samples = 0;
 };
 
-struct Layer;
-
 struct GridInput
 {
   const ViewSampler& Samples;

@@ -13,8 +13,6 @@
 
 namespace rtw
 {
-struct Layer;
-
 struct NonOrthogonalSettings
 {
   /// Whether cells weigh the square root of demand; else samples are counted.
