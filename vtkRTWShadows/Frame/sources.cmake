@@ -37,8 +37,7 @@ set(rtw_room_Frame
   Frame/rtwViewSampleFS.glsl
   Frame/rtwViewSampler.cxx
   Frame/rtwViewSampler.h
-  Frame/rtwViewSampleVS.glsl
-  Frame/sources.cmake)
+  Frame/rtwViewSampleVS.glsl)
 list(APPEND rtw_pure
   Frame/rtwFramedView.cxx
   Frame/rtwMeshData.cxx

@@ -33,5 +33,4 @@ set(rtw_room_GL
   GL/rtwViewport.cxx
   GL/rtwViewport.h
   GL/rtwVTKCompatibility.cxx
-  GL/rtwVTKCompatibility.h
-  GL/sources.cmake)
+  GL/rtwVTKCompatibility.h)

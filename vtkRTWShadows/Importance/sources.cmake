@@ -10,5 +10,4 @@ set(rtw_room_Importance
   Importance/rtwImportanceStage.cxx
   Importance/rtwImportanceStage.h
   Importance/rtwLightImage.glsl
-  Importance/rtwUserFunction.glsl
-  Importance/sources.cmake)
+  Importance/rtwUserFunction.glsl)

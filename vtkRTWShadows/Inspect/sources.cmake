@@ -7,5 +7,4 @@ set(rtw_room_Inspect
   Inspect/rtwErrorPrediction.h
   Inspect/rtwImages.cxx
   Inspect/rtwImages.h
-  Inspect/rtwPredictedErrorFS.glsl
-  Inspect/sources.cmake)
+  Inspect/rtwPredictedErrorFS.glsl)

@@ -22,5 +22,4 @@ set(rtw_room_Layers
   Layers/rtwUniteBlocks.glsl
   Layers/rtwVisitBlocks.glsl
   Layers/rtwVisitSamples.glsl
-  Layers/rtwWarpFocus.glsl
-  Layers/sources.cmake)
+  Layers/rtwWarpFocus.glsl)

@@ -16,8 +16,7 @@ set(rtw_room_Light
   Light/rtwTurnErrors.glsl
   Light/rtwTurnSamples.glsl
   Light/rtwTurnStage.cxx
-  Light/rtwTurnStage.h
-  Light/sources.cmake)
+  Light/rtwTurnStage.h)
 list(APPEND rtw_pure
   Light/rtwLightFrame.cxx
   Light/rtwMinimalFrustum.cxx

@@ -9,7 +9,6 @@ set(rtw_room_LightPass
   LightPass/rtwLightImages.h
   LightPass/rtwMapperDrawing.cxx
   LightPass/rtwMapperDrawing.h
-  LightPass/sources.cmake
   LightPass/Bent/rtwBentCasterFS.glsl
   LightPass/Bent/rtwBentCasterVS.glsl
   LightPass/Bent/rtwCasterCovers.glsl

@@ -27,5 +27,4 @@ set(rtw_room_Lookup
   Lookup/rtwReceiverUniforms.cxx
   Lookup/rtwSplitChoice.cxx
   Lookup/rtwSplitChoice.h
-  Lookup/rtwSplitErrors.glsl
-  Lookup/sources.cmake)
+  Lookup/rtwSplitErrors.glsl)

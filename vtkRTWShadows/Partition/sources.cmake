@@ -10,8 +10,7 @@ set(rtw_room_Partition
   Partition/rtwSeenRange.glsl
   Partition/rtwSplitByBins.glsl
   Partition/rtwStorageFactor.h
-  Partition/rtwWriteIntervals.glsl
-  Partition/sources.cmake)
+  Partition/rtwWriteIntervals.glsl)
 list(APPEND rtw_pure
   Partition/rtwDepthSplits.cxx
   Partition/rtwStorageFactor.cxx)

@@ -32,7 +32,6 @@ set(rtw_room_Passes
   Passes/rtwShadowPipelineInside.cxx
   Passes/rtwShadowPipelineReceivers.cxx
   Passes/rtwShadowPipelineSource.cxx
-  Passes/sources.cmake
   Passes/vtkAdaptiveShadowMapEyes.cxx
   Passes/vtkAdaptiveShadowMapInside.cxx
   Passes/vtkAdaptiveShadowMapOfLight.cxx

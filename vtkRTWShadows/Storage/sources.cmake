@@ -1,6 +1,5 @@
 set(rtw_room_Storage
   Storage/rtwMaskSource.h
-  Storage/sources.cmake
   Storage/Exact/rtwBoundGrid.glsl
   Storage/Exact/rtwCountSamples.glsl
   Storage/Exact/rtwExactBitsFS.glsl

@@ -6,7 +6,6 @@ list(APPEND rtw_classes
   Warp/vtkShadowMapWarp)
 set(rtw_room_Warp
   Warp/rtwWarpStage.h
-  Warp/sources.cmake
   Warp/Identity/rtwBendIdentity.glsl
   Warp/Identity/rtwIdentityWarpStage.cxx
   Warp/Identity/rtwIdentityWarpStage.h
