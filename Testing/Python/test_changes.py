@@ -12,8 +12,8 @@ import sys
 import unittest
 
 import rtwshadows
+from resources import count_gl_objects, find_gl, heap_in_use, resident
 from stage import make_renderer, make_window
-from test_on_and_off import count_gl_objects, find_gl, heap_in_use, resident
 
 TIMES = int(os.environ.get("RTW_CHANGES", "200"))
 

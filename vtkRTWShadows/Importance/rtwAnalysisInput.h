@@ -21,12 +21,10 @@ struct AnalysisInput
   const LayerBlocks& Blocks;
   int Stride = 1;       ///< pixels from one sample to the next along both axes
   double SceneSize = 0; ///< its diagonal
-  const DenseLayers* LightImages =
-    /// Depth images from the lights, unwarped, one for each map layer; null if none were asked for.
-    nullptr;
-  const Texture* LastMask =
-    /// The shadow mask of the last frame, a layer for each light; null if there is none.
-    nullptr;
+  /// Depth images from the lights, unwarped, one for each map layer; null if none were asked for.
+  const DenseLayers* LightImages = nullptr;
+  /// The shadow mask of the last frame, a layer for each light; null if there is none.
+  const Texture* LastMask = nullptr;
   View LastView; ///< the view that LastMask was drawn for
   bool AreAll = false; ///< whether no receiver in view is missing from samples and Unsampled
   /// For each map layer, bounds on the light plane of receivers without view samples, and of what a
