@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rtwTechniqueView.h"
 
-#include "rtwGpuClock.h"
 #include "GL/rtwOpenGL.h"
+#include "rtwGpuClock.h"
 
 #include <vtkRenderer.h>
 #include <vtkRenderWindow.h>

@@ -25,7 +25,7 @@ struct AnalysisInput
   const DenseLayers* LightImages = nullptr;
   /// The shadow mask of the last frame, a layer for each light; null if there is none.
   const Texture* LastMask = nullptr;
-  View LastView; ///< the view that LastMask was drawn for
+  View LastView;       ///< the view that LastMask was drawn for
   bool AreAll = false; ///< whether no receiver in view is missing from samples and Unsampled
   /// For each map layer, bounds on the light plane of receivers without view samples, and of what a
   /// filter reaches from there.

@@ -36,8 +36,8 @@ void LayerTable::Allocate(int cells, int resolution, int layers, int warpedLayer
   }
   this->Rows = RowsPerLayer * layers;
   // Uniforms of the last layer reach behind it.
-  this->Table.Allocate(2,
-    std::size_t(this->Rows) * this->GetRowLength() + UniformBytes / (2 * sizeof(float)));
+  this->Table.Allocate(
+    2, std::size_t(this->Rows) * this->GetRowLength() + UniformBytes / (2 * sizeof(float)));
   if (gridLayers == 0)
   {
     this->Bends.Allocate(4, std::size_t(cells) * 2 * layers * this->BendLevels);

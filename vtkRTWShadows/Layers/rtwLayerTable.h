@@ -37,9 +37,9 @@ public:
   /// The definition that has to stand before rtwWarpFocus.glsl.
   static const char* DefinitionOf(TableAccess access);
 
-  /// Makes room for layers, of which the first `warpedLayers` are warped and no other is. They have a
-  /// grid where their warp isn't separable. Maps are square, of so many texels a side, until they have
-  /// another size.
+  /// Makes room for layers, of which the first `warpedLayers` are warped and no other is. They have
+  /// a grid where their warp isn't separable. Maps are square, of so many texels a side, until they
+  /// have another size.
   void Allocate(int cells, int resolution, int layers, int warpedLayers, bool hasGrid);
   /// Texels along s and t of maps that aren't square, of a warp that can do with that.
   void SetMapSize(const glm::ivec2& size) { this->MapSize = size; }

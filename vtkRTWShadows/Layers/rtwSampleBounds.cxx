@@ -29,7 +29,7 @@ namespace rtw
 {
 namespace
 {
-constexpr int GroupSize = 256;                  // of rtwBoundBlocks.glsl and rtwUniteBlocks.glsl
+constexpr int GroupSize = 256; // of rtwBoundBlocks.glsl and rtwUniteBlocks.glsl
 // Blocks of each invocation; BLOCKS of rtwUniteBlocks.glsl.
 constexpr int BlocksEach = 8;
 // Bits of 1e30f, which the shaders take for infinity.

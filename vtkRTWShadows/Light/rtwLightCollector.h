@@ -24,8 +24,8 @@ struct LightCollection
   /// switched-on lights that are black, or whose shadows weigh nothing or can't be seen
   /// (headlights)
   int Skipped = 0;
-  int Unsupported = 0;     ///< switched-on point lights, and spots as wide as one
-  int Broken = 0;          ///< switched-on lights with a direction or position that is not a number
+  int Unsupported = 0; ///< switched-on point lights, and spots as wide as one
+  int Broken = 0;      ///< switched-on lights with a direction or position that is not a number
 };
 
 LightCollection CollectLights(vtkRenderer* renderer);

@@ -54,7 +54,7 @@ struct LightFrame
   int Parts = 1;            ///< layers that share the light's samples, one after another
   /// Sides of the view frustum that each range of depths is divided among: 4, or 1 for none.
   int Faces = 1;
-  int Layer = 0;            ///< number of the layer that the frame is for
+  int Layer = 0; ///< number of the layer that the frame is for
 
   /// Number of the light among those with a map.
   int Number() const { return this->Layer / this->Parts; }

@@ -31,7 +31,7 @@ struct TurnedLight
 struct TurnInput
 {
   const ViewSampler& Samples;
-  int Stride = 1;                ///< pixels from one sample to the next along both axes
+  int Stride = 1; ///< pixels from one sample to the next along both axes
   /// The samples' shadow mask, a layer for each light; null where all samples count as edges.
   const Texture* Mask = nullptr;
   int Texels = 1;                ///< a side of the map

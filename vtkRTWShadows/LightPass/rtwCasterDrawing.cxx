@@ -12,8 +12,8 @@
 #include "LightPass/Bent/rtwCasterPlane.h"
 #include "LightPass/Bent/rtwCasterTriangle.h"
 #include "LightPass/Bent/rtwCoverCasters.h"
-#include "LightPass/Bent/rtwCoverInFront.h"
 #include "LightPass/Bent/rtwCoveredCaster.h"
+#include "LightPass/Bent/rtwCoverInFront.h"
 #include "LightPass/Bent/rtwPatchClasses.h"
 #include "LightPass/Bent/rtwSetUpCasters.h"
 #include "LightPass/Bent/rtwTessellateCasters.h"
@@ -22,13 +22,13 @@
 #include "LightPass/Culling/rtwDeepest.h"
 #include "LightPass/Culling/rtwDeepestIn.h"
 #include "LightPass/Culling/rtwStartClusters.h"
+#include "LightPass/rtwCasterRecords.h"
+#include "LightPass/rtwCasterWork.h"
 #include "LightPass/Straight/rtwPlaneCasterFS.h"
 #include "LightPass/Straight/rtwPlaneCasterVS.h"
 #include "LightPass/Straight/rtwStraightCasterFS.h"
 #include "LightPass/Straight/rtwStraightCasterVS.h"
 #include "LightPass/Tiles/rtwCoverByTiles.h"
-#include "LightPass/rtwCasterRecords.h"
-#include "LightPass/rtwCasterWork.h"
 
 #include <algorithm>
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A light's map as programs of ours look at it: debug views, the predicted error, the choice of a map's sides.
+// A light's map as programs of ours look at it: debug views, the predicted error, the choice of a
+// map's sides.
 #ifndef rtwMapOfLight_h
 #define rtwMapOfLight_h
 

@@ -32,7 +32,7 @@ namespace rtw
 {
 namespace
 {
-constexpr double Nowhere = 3e38;                // NOWHERE of rtwWriteIntervals.glsl
+constexpr double Nowhere = 3e38; // NOWHERE of rtwWriteIntervals.glsl
 // One in so many samples, along both axes, is put into a bin: bins are an estimate.
 constexpr int BinningStride = 2;
 constexpr int NumberOfBins = 128;

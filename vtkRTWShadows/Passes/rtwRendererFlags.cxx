@@ -14,8 +14,8 @@
 #include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLFXAAFilter.h"
-#include "vtkOpenGLRenderPass.h"
 #include "vtkOpenGLRenderer.h"
+#include "vtkOpenGLRenderPass.h"
 #include "vtkOpenGLState.h"
 #include "vtkOrderIndependentTranslucentPass.h"
 #include "vtkProperty.h"
@@ -36,8 +36,9 @@ namespace rtw
 {
 namespace
 {
-// The pass of that kind that there is for a window while some flags hold it, or a new one around VTK's plain one.
-// Those are counted apart from VTK's references: mappers keep one of each pass that they were last drawn in.
+// The pass of that kind that there is for a window while some flags hold it, or a new one around
+// VTK's plain one. Those are counted apart from VTK's references: mappers keep one of each pass
+// that they were last drawn in.
 template <class Pass, class Make>
 std::shared_ptr<Pass> OfWindow(vtkRenderWindow* window, Make make)
 {

@@ -229,7 +229,8 @@ bool ShadowPipeline::Update(const View& view, const FrameScene& scene,
 int ShadowPipeline::ClampResolution(unsigned int resolution, std::size_t layers) const
 {
   // Each layer, and that of its other casters.
-  const int rows = LayerTable::RowsPerLayer * 2 * static_cast<int>(std::max<std::size_t>(layers, 1));
+  const int rows =
+    LayerTable::RowsPerLayer * 2 * static_cast<int>(std::max<std::size_t>(layers, 1));
   int most = std::min(this->Can.MaximumTextureSize, this->Can.MaximumTexels / rows);
   if (this->GetShape().Kind == WarpKind::Grid)
   {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAdaptiveShadowMapPass.h"
 
-#include "GL/rtwVTKCompatibility.h"
 #include "GL/rtwViewport.h"
+#include "GL/rtwVTKCompatibility.h"
 #include "LightPass/rtwMapperDrawing.h"
 #include "Lookup/rtwModelPlace.h"
 #include "Passes/rtwAdaptiveShadowMapInternals.h"

@@ -30,11 +30,11 @@ public:
    */
   enum Parameterizations
   {
-    PSM = 0,             ///< n: perspective shadow maps, η = 1
-    LISPSM = 1,          ///< n + √(f n): light-space perspective shadow maps, η = 0
-    TSM = 2,             ///< trapezoidal shadow maps: the FocusPoint comes to lie at 80 % of the map
-    UNWARPED = 3,        ///< infinite: no warp, η = -1
-    BY_ETA = 4,          ///< the one that belongs to Eta
+    PSM = 0,      ///< n: perspective shadow maps, η = 1
+    LISPSM = 1,   ///< n + √(f n): light-space perspective shadow maps, η = 0
+    TSM = 2,      ///< trapezoidal shadow maps: the FocusPoint comes to lie at 80 % of the map
+    UNWARPED = 3, ///< infinite: no warp, η = -1
+    BY_ETA = 4,   ///< the one that belongs to Eta
     BY_NEAR_DISTANCE = 5 ///< NearDistance
   };
 

@@ -5,8 +5,8 @@
 #include "Passes/rtwRendererFlags.h"
 #include "Passes/rtwSelection.h"
 
-#include "vtkRTWShadowMapPass.h"
 #include "Passes/vtkShadowedStepPass.h"
+#include "vtkRTWShadowMapPass.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkRenderPassCollection.h"

@@ -2,7 +2,8 @@
 // The contract of a warp: GLSL for caster and receiver, and a way to build its table from view
 // samples.
 //
-// Implemented by IdentityWarpStage, RectilinearWarpStage, NonOrthogonalWarpStage and PerspectiveWarpStage.
+// Implemented by IdentityWarpStage, RectilinearWarpStage, NonOrthogonalWarpStage and
+// PerspectiveWarpStage.
 #ifndef rtwWarpStage_h
 #define rtwWarpStage_h
 

@@ -9,6 +9,8 @@
 #include "LightPass/Bent/rtwCasterPlane.h"
 #include "LightPass/Culling/rtwDeepest.h"
 #include "LightPass/Culling/rtwDeepestIn.h"
+#include "LightPass/rtwCasterRecords.h"
+#include "LightPass/rtwCasterWork.h"
 #include "LightPass/Tiles/rtwBentTable.h"
 #include "LightPass/Tiles/rtwCoveredTiles.h"
 #include "LightPass/Tiles/rtwDivideTiles.h"
@@ -16,8 +18,6 @@
 #include "LightPass/Tiles/rtwPlanTiles.h"
 #include "LightPass/Tiles/rtwPointCasterVS.h"
 #include "LightPass/Tiles/rtwTakeTexels.h"
-#include "LightPass/rtwCasterRecords.h"
-#include "LightPass/rtwCasterWork.h"
 
 #include <algorithm>
 

@@ -183,7 +183,8 @@ void ExactCasting::Descend(const ExactJob& job, const SampleGrid& grid)
     DispatchIndirect(this->Queue, step * StepBytes);
   }
   this->Prepare(this->Testing, job, grid);
-  // The view's origin, from where light-plane coordinates go unless that lies beside or behind a spot.
+  // The view's origin, from where light-plane coordinates go unless that lies beside or behind a
+  // spot.
   const double reference = ExactReference(job.Frame, job.Viewed.Origin);
   const glm::dvec4 origin =
     WorldToExactPlane(job.Frame, job.Viewed.Origin) * glm::dvec4(job.Viewed.Origin, 1);

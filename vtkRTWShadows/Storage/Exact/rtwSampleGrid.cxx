@@ -94,8 +94,7 @@ glm::dmat4 WorldToExactPlane(const LightFrame& frame, const glm::dvec3& origin)
   const double reference = ExactReference(frame, origin);
   const glm::dvec3& along = frame.Light.Direction;
   const glm::dvec4 depth = reference > 0
-    ? reference *
-      glm::dvec4(along, -glm::dot(frame.Light.Position, along) - reference)
+    ? reference * glm::dvec4(along, -glm::dot(frame.Light.Position, along) - reference)
     : glm::dvec4(along, -glm::dot(origin, along));
   return glm::row(frame.WorldToLight, 2, depth);
 }

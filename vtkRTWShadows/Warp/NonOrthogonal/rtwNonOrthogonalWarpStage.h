@@ -17,12 +17,12 @@ struct NonOrthogonalSettings
 {
   /// Whether cells weigh the square root of demand; else samples are counted.
   bool Demand = true;
-  int Cells = 512;         ///< along both axes
-  bool Automatic = true;   ///< whether smoothing is chosen by what it costs
+  int Cells = 512;       ///< along both axes
+  bool Automatic = true; ///< whether smoothing is chosen by what it costs
   double Smoothing =
-    0.05; ///< otherwise, of what neighbouring lines ask for: σ, as a share of the focus
-  double Sigma = 2;        ///< standard deviation of the blur along a line, in cells
-  double Floor = 0.01;     ///< least importance, as a share of a line's mean
+    0.05;           ///< otherwise, of what neighbouring lines ask for: σ, as a share of the focus
+  double Sigma = 2; ///< standard deviation of the blur along a line, in cells
+  double Floor = 0.01; ///< least importance, as a share of a line's mean
 };
 
 class NonOrthogonalWarpStage : public WarpStage

@@ -54,8 +54,8 @@ public:
   void Dispose(Disposal dispose) override;
 
 private:
-  void FindNearest(const LightFrame& frame, int layer, const AnalysisInput& input,
-    const LayerTable& table);
+  void FindNearest(
+    const LightFrame& frame, int layer, const AnalysisInput& input, const LayerTable& table);
   void FindBounds(const LightFrame& frame, const AnalysisInput& input, const LayerTable& table);
   void Write(const LightFrame& frame, int layer, int pass, const AnalysisInput& input,
     const LayerTable& table);

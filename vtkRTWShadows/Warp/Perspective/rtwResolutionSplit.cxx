@@ -13,8 +13,8 @@ namespace rtw
 namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
-constexpr double Extreme = 16;      // a ratio beyond which maps would be but lines
-constexpr int Shortest = 8;         // side, in texels, unless the square's is shorter
+constexpr double Extreme = 16; // a ratio beyond which maps would be but lines
+constexpr int Shortest = 8;    // side, in texels, unless the square's is shorter
 // Share of a step that a ratio has to change by; half a step would do without hysteresis.
 constexpr double Hold = 0.75;
 constexpr double ClearlyBetter = 0.98;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The double-precision twin of the rectilinear warp in rtwWarpRectilinear.glsl and rtwBuildRectilinear.glsl, with its inverse.
+// The double-precision twin of the rectilinear warp in rtwWarpRectilinear.glsl and
+// rtwBuildRectilinear.glsl, with its inverse.
 #ifndef rtwRectilinearWarp_h
 #define rtwRectilinearWarp_h
 
@@ -30,7 +31,8 @@ constexpr double SnappingMostExcess = 0.1;
 /// a quarter of a texel of the one wanted, if that stays the same.
 int FramesToSettle(double blending, int resolution);
 
-/// A strictly monotone map of [0, 1] to itself, linear in each of its equal cells, and beyond the ends with the slope there.
+/// A strictly monotone map of [0, 1] to itself, linear in each of its equal cells, and beyond the
+/// ends with the slope there.
 class WarpingFunction
 {
 public:
@@ -89,8 +91,8 @@ struct RectilinearWarp
   glm::dvec2 ToFocused(const glm::dvec2& onLight) const;
   glm::dvec2 Forward(const glm::dvec2& onLight) const;
   glm::dvec2 Inverse(const glm::dvec2& onMap) const;
-  /// The conventional map over `whole` that is as fine as this one is at its finest: maximum effective
-  /// resolution (Rosen 2012, section 6).
+  /// The conventional map over `whole` that is as fine as this one is at its finest: maximum
+  /// effective resolution (Rosen 2012, section 6).
   glm::dvec2 MaximumEffectiveResolution(int resolution, const Rectangle& whole) const;
 };
 }
