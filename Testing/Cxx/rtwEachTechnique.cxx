@@ -84,6 +84,7 @@ void rtwCheckLights(rtwShadowStage& stage, const rtwShadowBounds& bounds)
   for (int i = 0; i < 3; ++i)
   {
     RTW_CHECK_SHADOWS_WITHIN(stage, lights[i], i, bounds);
+    RTW_CHECK(stage.Pass->GetNumberOfCastersDrawn(i) > 0);
   }
 }
 
